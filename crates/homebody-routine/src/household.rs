@@ -5,7 +5,7 @@ mod many;
 use crate::behaviour;
 use crate::behaviour::body::WalkingBody;
 use crate::behaviour::company::{Company, HouseholdMembers};
-use crate::behaviour::difference::{self, Difference};
+use crate::behaviour::difference::{self, Difference, Measured};
 use crate::behaviour::driver::RoutineDriver;
 use crate::behaviour::pet::PetDriver;
 use crate::behaviour::places::HomePlaces;
@@ -29,7 +29,6 @@ use homebody_core::recording::Recording;
 use homebody_core::resident::{Build, WanderingFile};
 use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::load::{DriverLanguages, DriverText, Files, NoText, ResidentDriver, Scenario, too_long};
-use homebody_core::time::DAY;
 use homebody_script::{Cast, Program, ScriptDriver, ScriptNames};
 use homebody_walk::{Gains, Mesh};
 use std::collections::{BTreeMap, BTreeSet};
@@ -248,12 +247,9 @@ impl Household {
         Some(life)
     }
 
-    /// Sentences that a run, so far, does not follow.
+    /// Sentences that a run, so far, does not follow, the largest loss first.
     pub fn differences(run: &Run) -> Vec<Difference> {
-        let days = i32::try_from(run.now().since_zero().div_euclid(DAY)).unwrap_or(i32::MAX);
-        let drivers = (0..run.names().len()).filter_map(|body| run.driver(ResidentId::new(body))?.as_any());
-        let lives: Vec<&RoutineDriver> = drivers.filter_map(|driver| driver.downcast_ref()).collect();
-        difference::differences_of_all(&lives, days)
+        difference::of_run(run, Measured::Run)
     }
 
     /// Names, in lower case, of the things that routines use; `None` if a resident without a routine may use any.

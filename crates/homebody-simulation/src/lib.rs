@@ -49,6 +49,7 @@ pub mod run_length;
 mod run_start;
 mod run_options;
 mod setup;
+mod sampled_run;
 
 pub mod destination;
 mod sinks;
@@ -95,6 +96,7 @@ pub use run_metrics::{RunMetrics, RunReading};
 pub use run_options::{RunOptions, VariantOptions};
 pub use run_start::RunStart;
 pub use run_summary::RunSummary;
+pub use sampled_run::{SAMPLE_TIME, SampledRun, difference_warnings, shortened};
 pub use scenario_source::{ScenarioFolder, ScenarioSource, TRUST, Template};
 pub use setup::{OptionError, PlannedRun, RunSetup};
 pub use simulation::orders::OrderMessage;

@@ -116,10 +116,20 @@ impl OpenScenario {
         let mut all = scenario_remarks(&self.scenario, length);
         all.extend(idle_sensors::remarks(&self.scenario, &self.household));
         all.extend(self.missing_parts());
-        all.extend(self.household.predicted_differences(days(length)).iter().map(without_effect));
-        let routines = (0..self.scenario.residents.len()).filter_map(|resident| self.household.routine(resident));
-        all.extend(routines.filter_map(unsimulated));
+        all.extend(self.sentence_remarks(length));
         all
+    }
+
+    /// Warnings about sentences without effect on a run of this length.
+    pub fn sentence_remarks(&self, length: Span) -> Vec<Problem> {
+        let predicted = self.household.predicted_differences(days(length));
+        let routines = (0..self.scenario.residents.len()).filter_map(|resident| self.household.routine(resident));
+        predicted.iter().map(without_effect).chain(routines.filter_map(unsimulated)).collect()
+    }
+
+    /// Whether a resident has a routine.
+    pub fn has_routine(&self) -> bool {
+        (0..self.scenario.residents.len()).any(|resident| self.household.routine(resident).is_some())
     }
 
     /// Warnings about missing parts without which a run or its log is empty, such as sensors.
@@ -277,6 +287,6 @@ fn without_effect(difference: &Difference) -> Problem {
     Problem { line: *line, ..Problem::of_file(file, message, None) }
 }
 
-fn one_line(text: &str) -> String {
+pub(crate) fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -42,6 +42,15 @@ homebody_core::messages! {
         WithoutEffect { sentence: String, effect: String } warning "partial-effect"
             ("the effect of {sentence:?} in this run: {effect}")
             hint ("write an earlier beginning, or simulate a longer run");
+        /// In the simulated days, this sentence did not happen as it says: it had no time in the days, no way to its place, or less time
+        /// than it says.
+        NotAsSaid { sentence: String, expected: String, simulated: String, days: String } warning "not-as-said"
+            ("{sentence:?}: expected {expected}; simulated {simulated} ({days})")
+            hint ("leave more time for it, or change the sentences that take its time");
+        /// Homebody lists the sentences with the largest loss, and counts the others.
+        MoreNotAsSaid { count: usize } warning "more-not-as-said"
+            ("more sentences that do not happen as they say: {count}")
+            hint ("`homebody routine check --lived` lists all of them");
         /// The run is too short for a sentence of this member, or begins too late for it.
         MemberWithoutEffect { member: String, sentence: String, effect: String } warning "partial-effect-of-member"
             ("{member}: the effect of {sentence:?} in this run: {effect}")

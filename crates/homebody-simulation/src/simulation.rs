@@ -21,7 +21,7 @@ use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
 use homebody_core::time::{HOUR, RunTime, Span};
 use homebody_log::{Cancel, RunInfo};
-use homebody_routine::behaviour::difference::Difference;
+use homebody_routine::behaviour::difference::{Difference, Measured, of_run};
 use homebody_routine::household::Household;
 use input::KeyInput;
 use output::RunOutput;
@@ -326,9 +326,10 @@ impl Simulation {
         Scene { now: RunTime::START, ..first.scene() }
     }
 
-    /// The sentences of routines that have not come true so far: planned and not done, far from their times, or never in force.
+    /// The sentences of routines that have not come true so far: planned and not done, far from their times, or never in force. The
+    /// largest loss comes first. Before the end of the run, what has had no occasion is not judged.
     pub fn differences(&self) -> Vec<Difference> {
-        Household::differences(&self.run)
+        of_run(&self.run, if self.is_over() { Measured::Run } else { Measured::Sample })
     }
 
     /// The scenario of the run.

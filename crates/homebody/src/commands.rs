@@ -13,6 +13,7 @@ mod day;
 mod density;
 mod devices;
 mod doctor;
+mod early_warnings;
 pub mod explain;
 mod falls;
 mod find;
@@ -24,6 +25,7 @@ mod import;
 mod inspect;
 mod install_sheet;
 mod label;
+mod life;
 mod live;
 mod locate;
 pub mod log_input;
@@ -82,6 +84,7 @@ commands! {
     Replay(replay::ReplayArguments),
     Check(check::CheckArguments),
     Routine(routine::RoutineArguments),
+    Life(life::LifeArguments),
     Serve(serve::ServeArguments),
     Plan(plan::PlanArguments),
     Coverage(coverage::CoverageArguments),

@@ -4,6 +4,7 @@ use homebody_core::drivers::error::DriverError;
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::{Diagnostic, Problem, Problems};
 use homebody_fleet::FleetError;
+use homebody_life::{FreeTextError, ModelMessage};
 use homebody_log::LogError;
 use homebody_placement::people::PeopleError;
 use homebody_query::QueryError;
@@ -143,6 +144,19 @@ impl From<SimulationError> for Failure {
             | SimulationError::NotFolder { .. }
             | SimulationError::NotEmpty { .. }
             | SimulationError::Threads { .. } => Failure::file(error),
+            error => Failure::asked(error),
+        }
+    }
+}
+
+impl From<FreeTextError> for Failure {
+    fn from(error: FreeTextError) -> Failure {
+        match error {
+            FreeTextError::Simulation(error) => error.into(),
+            FreeTextError::Model(error @ (ModelMessage::BadUrl { .. } | ModelMessage::SeveralModels { .. })) => {
+                Failure::asked(error)
+            }
+            FreeTextError::Model(error) => Failure::file(error),
             error => Failure::asked(error),
         }
     }

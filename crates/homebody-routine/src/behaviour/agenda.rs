@@ -360,6 +360,10 @@ impl Planner<'_> {
         {
             return None;
         }
+        let stated_by = match &habit.when.time {
+            HabitTime::At(time) => at(time.high).saturating_add(later),
+            _ => RunTime::MIN,
+        };
         let until_share = || self.life.stream_of_day(time.day, &format!("{key}/until")).unit();
         let until = habit.when.until.map(|until| at(varied(&until, until_share(), parameters.irregular)));
         let item = Item {
@@ -368,10 +372,12 @@ impl Planner<'_> {
             falling: habit.falling,
             visitor: habit.visitor.clone(),
             start,
+            stated_by,
             lasts,
             until: until.map(|until| until.saturating_add(later)),
             latest: start + Span::from_seconds(patience),
             of: Some(in_force.id()),
+            home: None,
             is_unsaid: source == ResidentRoutine::UNSAID,
             waits: source == ResidentRoutine::UNSAID,
             has_its_time: source != ResidentRoutine::UNSAID

@@ -4,7 +4,9 @@ use super::driver::RoutineDriver;
 use super::resident_routine::{ResidentRoutine, SentenceId, SentenceKind};
 use super::tally::{LATE, SentenceOutcome, SentenceTally};
 use crate::routine::{Effect, HabitTime, Phase};
-use homebody_core::time::MINUTE;
+use homebody_core::ids::ResidentId;
+use homebody_core::run::Run;
+use homebody_core::time::{DAY, MINUTE};
 use serde::Serialize;
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -17,9 +19,26 @@ pub struct Difference {
     pub text: String,
     pub expected: String,
     pub lived: String,
+    /// The share of the sentence that is not followed, from 0 to 1: of its occasions, of its length, or half of those that are late.
+    pub lost_share: f64,
     /// Whether it is certain before the run.
     pub told: bool,
 }
+
+/// The run that differences are measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measured {
+    /// A whole run.
+    Run,
+    /// The first days of a run. What has no occasion in them is not judged.
+    Sample,
+}
+
+/// Occasions of a sample that must be missed or late before a sentence is reported (our choice): one may be chance.
+const LEAST_OF_SAMPLE: u32 = 2;
+
+/// The weight of a late occasion beside a missed one (our choice).
+const LATE_WEIGHT: f64 = 0.5;
 
 /// Share of the planned activities that may be left out without a report (our choice): one day in twenty.
 const LEFT_OUT: f64 = 0.05;
@@ -30,15 +49,21 @@ const LATE_SHARE: f64 = 0.1;
 /// Share of its mean length below which an activity is reported (our choice).
 const SHORT: f64 = 0.7;
 
-pub fn differences_of_all(lives: &[&RoutineDriver], days: i32) -> Vec<Difference> {
+/// Sentences that a run, so far, does not follow, the largest loss first.
+pub fn of_run(run: &Run, measured: Measured) -> Vec<Difference> {
+    let days = i32::try_from(run.now().since_zero().div_euclid(DAY)).unwrap_or(i32::MAX);
+    let drivers = (0..run.names().len()).filter_map(|body| run.driver(ResidentId::new(body))?.as_any());
+    let lives = drivers.filter_map(|driver| driver.downcast_ref());
     let (visitors, residents): (Vec<&RoutineDriver>, Vec<&RoutineDriver>) =
-        lives.iter().partition(|life| life.is_visitor());
+        lives.partition(|life: &&RoutineDriver| life.is_visitor());
     let of_one = |resident: &RoutineDriver| {
         let own = visitors.iter().filter(|visitor| visitor.host() == resident.host());
         let of_visitors: Vec<&SentenceTally> = own.map(|visitor| visitor.tally()).collect();
-        differences(resident.life(), resident.tally(), &of_visitors, days)
+        differences(resident.life(), resident.tally(), &of_visitors, days, measured)
     };
-    residents.into_iter().flat_map(of_one).collect()
+    let mut all: Vec<Difference> = residents.into_iter().flat_map(of_one).collect();
+    all.sort_by(|one, other| other.lost_share.total_cmp(&one.lost_share));
+    all
 }
 
 /// The differences after `days` days. A host only welcomes a visitor who stays for days; the length of the stay is in the
@@ -48,8 +73,10 @@ fn differences(
     tally: &SentenceTally,
     of_visitors: &[&SentenceTally],
     days: i32,
+    measured: Measured,
 ) -> Vec<Difference> {
-    let mut all = predicted_differences(life, days);
+    let is_sample = measured == Measured::Sample;
+    let mut all = if is_sample { Vec::new() } else { predicted_differences(life, days) };
     for (id, file, said) in life.sentences().filter(|(id, ..)| id.source != ResidentRoutine::UNSAID) {
         if all.iter().any(|known| known.file == file && known.line == said.line && known.text == said.text) {
             continue;
@@ -57,10 +84,18 @@ fn differences(
         let lived = tally.outcome(id);
         let lengths =
             of_visitors.iter().map(|visitor| visitor.outcome(id)).find(|stay| stay.begun > 0).unwrap_or(lived);
-        if let Some((expected, lived)) = difference(life, id, lived, lengths) {
-            let (resident, file) = (life.name.clone(), file.to_owned());
-            let (line, text) = (said.line, said.text.clone());
-            all.push(Difference { resident, file, line, text, expected, lived, told: false });
+        let is_judged = |lost: &Lost| !is_sample || lost.occasions >= LEAST_OF_SAMPLE;
+        if let Some(lost) = difference(life, id, lived, lengths).filter(is_judged) {
+            all.push(Difference {
+                resident: life.name.clone(),
+                file: file.to_owned(),
+                line: said.line,
+                text: said.text.clone(),
+                expected: lost.expected,
+                lived: lost.lived,
+                lost_share: lost.share,
+                told: false,
+            });
         }
     }
     all.sort_by(|a, b| (a.file != *life.file(), &a.file, a.line).cmp(&(b.file != *life.file(), &b.file, b.line)));
@@ -90,6 +125,7 @@ pub fn predicted_differences(life: &ResidentRoutine, days: i32) -> Vec<Differenc
             text: said.text.clone(),
             expected: "once in the run or more".to_owned(),
             lived,
+            lost_share: 1.0,
             told: true,
         })
     });
@@ -104,13 +140,22 @@ fn phase(life: &ResidentRoutine, id: SentenceId) -> Option<Phase> {
     }
 }
 
+/// What a sentence has lost.
+struct Lost {
+    expected: String,
+    lived: String,
+    share: f64,
+    /// Occasions that show it; none of a sentence that never applied.
+    occasions: u32,
+}
+
 /// The expected and the actual result, if they differ.
 fn difference(
     life: &ResidentRoutine,
     id: SentenceId,
     lived: SentenceOutcome,
     lengths: SentenceOutcome,
-) -> Option<(String, String)> {
+) -> Option<Lost> {
     let SentenceOutcome { planned, begun, no_way, late, .. } = lived;
     match id.kind {
         SentenceKind::Rule => return None,
@@ -118,31 +163,46 @@ fn difference(
             // The effect of a condition is reported with the sentence that shows it.
             let is_shown = life.change(id).is_some_and(|change| matches!(change.effect, Effect::Shows { .. }));
             let is_never = planned == 0 && (id.source == ResidentRoutine::OWN || is_shown);
-            return is_never.then(|| ("on one day or more".to_owned(), "it held on no day".to_owned()));
+            let (expected, lived) = ("on one day or more".to_owned(), "it held on no day".to_owned());
+            return is_never.then_some(Lost { expected, lived, share: 1.0, occasions: 0 });
         }
         SentenceKind::Habit => {}
     }
     let missed = planned.saturating_sub(begun);
-    let expected = format!("{} times", planned.max(begun));
+    let all = planned.max(begun);
     if no_way > 0 || f64::from(missed) > f64::from(planned) * LEFT_OUT {
         let why = match no_way {
             0 => "there was no time for the others".to_owned(),
             ways => format!("there was no way {ways} times"),
         };
-        return Some((expected, format!("{} times: {why}", begun.saturating_sub(no_way))));
+        let done = begun.saturating_sub(no_way);
+        return Some(Lost {
+            expected: format!("{all} times"),
+            lived: format!("{done} times: {why}"),
+            share: f64::from(all - done) / f64::from(all),
+            occasions: all - done,
+        });
     }
     let habit = life.habit(id)?;
     if matches!(habit.when.time, HabitTime::At(_) | HabitTime::Before(..))
         && f64::from(late) > f64::from(begun) * LATE_SHARE
     {
-        let minutes = LATE / MINUTE;
-        return Some(("at its time".to_owned(), format!("begun more than {minutes} min late {late} of {begun} times")));
+        return Some(Lost {
+            expected: "at its time".to_owned(),
+            lived: format!("begun more than {} min late {late} of {begun} times", LATE / MINUTE),
+            share: LATE_WEIGHT * f64::from(late) / f64::from(begun),
+            occasions: late,
+        });
     }
     let SentenceOutcome { begun, done, planned_s, lasted_s, .. } = lengths;
-    if habit.when.lasts.is_some() && done > 0 && lasted_s / f64::from(done) < SHORT * planned_s / f64::from(begun) {
-        let minutes = |sum_s: f64, times: u32| sum_s / f64::from(times) / 60.0;
-        let expected = format!("{:.0} min on average", minutes(planned_s, begun));
-        return Some((expected, format!("{:.0} min on average", minutes(lasted_s, done))));
+    let (planned_min, lasted_min) = (planned_s / f64::from(begun) / 60.0, lasted_s / f64::from(done) / 60.0);
+    if habit.when.lasts.is_some() && done > 0 && lasted_min < SHORT * planned_min {
+        return Some(Lost {
+            expected: format!("{planned_min:.0} min on average"),
+            lived: format!("{lasted_min:.0} min on average"),
+            share: 1.0 - lasted_min / planned_min,
+            occasions: done,
+        });
     }
     None
 }

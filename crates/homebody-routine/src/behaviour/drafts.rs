@@ -187,12 +187,12 @@ impl Drafts<'_> {
     /// A stated time of coming home ends the outing before it.
     fn come_home(&mut self) {
         let homes = self.list.iter().filter(|draft| draft.item.activity == Activity::ComeHome);
-        let homes: Vec<RunTime> = homes.map(|draft| draft.item.start).collect();
-        for home in homes {
+        let homes: Vec<_> = homes.map(|draft| (draft.item.start, draft.item.of)).collect();
+        for (home, of) in homes {
             let outings = self.list.iter_mut().map(|draft| &mut draft.item);
             let outings = outings.filter(|item| item.activity == Activity::Leave && item.start < home);
             if let Some(outing) = outings.max_by_key(|item| item.start) {
-                outing.until = Some(home);
+                (outing.until, outing.home) = (Some(home), of);
             }
         }
         // It is part of the outing.

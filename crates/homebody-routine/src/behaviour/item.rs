@@ -13,6 +13,8 @@ pub struct Item {
     pub falling: Option<Falling>,
     pub visitor: Option<String>,
     pub start: RunTime,
+    /// The latest stated start: later than `start` if the sentence gives a span of time.
+    pub stated_by: RunTime,
     pub lasts: Span,
     /// A latest end, however late it begins.
     pub until: Option<RunTime>,
@@ -20,6 +22,8 @@ pub struct Item {
     pub latest: RunTime,
     /// `None` if unplanned.
     pub of: Option<SentenceId>,
+    /// Of an outing, the sentence with the time of coming home.
+    pub home: Option<SentenceId>,
     /// Not stated in the routine.
     pub is_unsaid: bool,
     /// It yields to activities with a time: unstated and overdue ones.
@@ -41,10 +45,12 @@ impl Item {
             falling: None,
             visitor: None,
             start: RunTime::START,
+            stated_by: RunTime::START,
             lasts,
             until: None,
             latest: RunTime::MAX,
             of: None,
+            home: None,
             is_unsaid: true,
             waits: true,
             has_its_time: false,

@@ -3,6 +3,7 @@
 use super::agenda::Agenda;
 use super::item::Item;
 use super::resident_routine::SentenceId;
+use crate::routine::Activity;
 use homebody_core::time::{MINUTE, RunTime, Span};
 use std::collections::BTreeMap;
 
@@ -35,10 +36,11 @@ impl SentenceTally {
         self.sentences.get(&sentence).copied().unwrap_or_default()
     }
 
-    /// Counts the plan of a past day from this item on.
+    /// Counts the plan of a past day from this item on. Coming home is the end of an outing and counts with it.
     pub(super) fn plan(&mut self, agenda: &Agenda, first: usize) {
         for item in agenda.items.iter().skip(first).chain(&agenda.breaks) {
-            self.count(item.of, |lived| lived.planned += 1);
+            let of = item.of.filter(|_| item.activity != Activity::ComeHome);
+            of.into_iter().chain(item.home).for_each(|of| self.count(Some(of), |lived| lived.planned += 1));
         }
     }
 
@@ -47,7 +49,13 @@ impl SentenceTally {
         self.count(item.of, |lived| {
             lived.begun += 1;
             lived.planned_s += until_s.unwrap_or(item.lasts.seconds());
-            lived.late += u32::from(now - item.start > LATE);
+            lived.late += u32::from(now - item.start.max(item.stated_by) > LATE);
+        });
+        // An outing ends when the sentence says so, unless it begins later than that.
+        let is_late = item.until.is_some_and(|home| now - home > LATE);
+        self.count(item.home, |lived| {
+            lived.begun += 1;
+            lived.late += u32::from(is_late);
         });
     }
 

@@ -1,16 +1,21 @@
-//! `homebody check`: all problems of a scenario at once.
+//! `homebody check`: all problems of a scenario at once, and the sentences without room in its days.
 
 use super::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use crate::print::{print_json, tell, tell_message};
+use crate::progress::Working;
 use homebody_core::problem::{Problem, Problems, Severity, counted};
-use homebody_simulation::{OpenScenario, ScenarioSource, SimulationError};
+use homebody_core::time::Span;
+use homebody_simulation::{Cancel, OpenScenario, SAMPLE_TIME, SampledRun, ScenarioSource, SimulationError};
 use serde_json::json;
 
 /// Report all problems of a scenario
 ///
 /// Each problem has its file, its line and a hint. Warnings name likely mistakes, such as a fault that begins after the end of the
 /// run. They also name reasons why a run cannot start or writes an empty log, such as a home without sensors.
+///
+/// Homebody simulates the first days for two seconds at most, and warns of sentences that do not happen as they say. The largest
+/// loss comes first. `homebody routine check --lived` simulates the whole run.
 ///
 /// Homebody checks the meaning of a file once its keys and values are valid. Until then the report omits other problems of the
 /// file; if the file is home.json, it also omits problems of the routines.
@@ -26,19 +31,12 @@ pub struct CheckArguments {
 
 impl CheckArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let remarks = |opened: &OpenScenario| {
-            let scenario = opened.scenario();
-            opened.remarks(scenario.calendar.span_of_days(scenario.file.days))
-        };
-        let opened = load_with_warnings(self.scenario.source(), self.json, remarks)?;
+        let CheckedScenario { opened, verdict } =
+            CheckedScenario::load(self.scenario.source(), self.json, OpenScenario::remarks)?;
         let scenario = opened.scenario();
         let home = &scenario.home;
-        let found = match opened.missing_parts().is_empty() {
-            true => "no problems",
-            false => "the files are valid; the warnings above name what a simulation lacks",
-        };
         tell(format_args!(
-            "{}: {found}. {}, {}, {}, {}; {}.",
+            "{}: {verdict}. {}, {}, {}, {}; {}.",
             scenario.file.name,
             counted(home.rooms.len(), "room", "rooms"),
             counted(home.doors.len(), "door", "doors"),
@@ -50,25 +48,56 @@ impl CheckArguments {
     }
 }
 
-/// Loads a scenario with its routines, and prints warnings. As JSON, it prints empty lists, too.
-pub fn load_with_warnings(
-    source: Result<ScenarioSource, SimulationError>,
-    json: bool,
-    remarks: impl Fn(&OpenScenario) -> Vec<Problem>,
-) -> Result<OpenScenario, Failure> {
-    let opened = source.and_then(ScenarioSource::open);
-    let remarks = opened.as_ref().map_or_else(|_| Vec::new(), &remarks);
-    let none = Problems::default();
-    let problems = match &opened {
-        Ok(_) => Some(&none),
-        Err(SimulationError::Problems(problems)) => Some(problems),
-        Err(_) => None,
-    };
-    if let Some(problems) = problems.filter(|_| json) {
-        print_json(&json!({ "problems": problems, "warnings": remarks }))?;
+/// A scenario without problems, whose warnings were printed.
+pub struct CheckedScenario {
+    pub opened: OpenScenario,
+    /// The result in words, such as "no problems".
+    pub verdict: String,
+}
+
+impl CheckedScenario {
+    /// Loads a scenario with its routines, simulates a sample, and prints warnings. As JSON, it prints empty lists, too.
+    pub fn load(
+        source: Result<ScenarioSource, SimulationError>,
+        json: bool,
+        remarks: impl Fn(&OpenScenario, Span) -> Vec<Problem>,
+    ) -> Result<CheckedScenario, Failure> {
+        let checked = source.and_then(ScenarioSource::open).and_then(|opened| {
+            let scenario = opened.scenario();
+            let length = scenario.calendar.span_of_days(scenario.file.days);
+            let sampled = sample(&opened)?;
+            let warnings = sampled.iter().flat_map(SampledRun::warnings).collect::<Vec<_>>();
+            let is_as_said = warnings.is_empty() && opened.sentence_remarks(length).is_empty();
+            let verdict = match (&sampled, is_as_said && opened.missing_parts().is_empty()) {
+                (_, false) => "the files are valid; see the warnings above".to_owned(),
+                (Some(SampledRun { days, of_days, .. }), true) if days < of_days => {
+                    format!("no problems in the first {:.0} of {:.0} days", days.floor(), of_days)
+                }
+                (_, true) => "no problems".to_owned(),
+            };
+            Ok((remarks(&opened, length).into_iter().chain(warnings).collect::<Vec<_>>(), opened, verdict))
+        });
+        let (warnings, problems) = match &checked {
+            Ok((warnings, ..)) => (&warnings[..], Some(&Problems::default())),
+            Err(SimulationError::Problems(problems)) => (&[][..], Some(problems)),
+            Err(_) => (&[][..], None),
+        };
+        if let Some(problems) = problems.filter(|_| json) {
+            print_json(&json!({ "problems": problems, "warnings": warnings }))?;
+        }
+        warnings.iter().for_each(tell_remark);
+        let (_, opened, verdict) = checked?;
+        Ok(CheckedScenario { opened, verdict })
     }
-    remarks.iter().for_each(tell_remark);
-    Ok(opened?)
+}
+
+/// The first days of the scenario's run; `None` without a routine, because a path has no sentences.
+fn sample(opened: &OpenScenario) -> Result<Option<SampledRun>, SimulationError> {
+    if !opened.has_routine() {
+        return Ok(None);
+    }
+    let _working = Working::on("simulating the first days");
+    opened.run().plan()?.sample(SAMPLE_TIME, &Cancel::new())
 }
 
 pub fn tell_remark(remark: &Problem) {

@@ -7,7 +7,7 @@ use std::fmt::Write;
 pub const GROUPS: [(&str, &[&str]); 8] = [
     ("Simulate", &["new", "check", "run", "replay", "serve"]),
     ("Homes and sensors", &["import", "plan", "coverage", "devices", "suggest-sensors", "install-sheet"]),
-    ("Routines", &["routine", "parameters"]),
+    ("Routines", &["routine", "life", "parameters"]),
     ("Logs", &["inspect", "convert", "anonymise", "label", "compare", "find", "day", "storyboard", "silhouettes"]),
     ("Care", &["measures", "alerts", "summary", "density", "falls"]),
     ("Real time and load", &["live", "fleet", "mqtt"]),

@@ -26,6 +26,6 @@ impl ReplayArguments {
         let signals = Signals::listen()?;
         let recorded = RecordedRun::open(&self.recording)?;
         let recorded = recorded.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
-        store(recorded.start(), None, &self.output, &signals)
+        store(recorded.start(), None, &self.output, &signals, None)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::check::tell_remark;
 use super::cohort;
+use super::early_warnings::EarlyWarnings;
 use super::run_messages::RunMessage;
 use super::run_output::{
     Output, check_destinations, failure, is_unchanged, report, resume_command, resume_line, show, store,
@@ -18,7 +19,7 @@ use homebody_core::problem::Diagnostic;
 use homebody_core::time::Span;
 use homebody_simulation::{
     CohortLayout, CohortSetup, CohortSummary, IncompleteCohort, IncompleteRun, LIST, MOST_MEMBERS, OpenScenario,
-    RunOptions, SimulationError, TruthKept, Url,
+    PlannedRun, RunOptions, SimulationError, TruthKept, Url,
 };
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
@@ -157,14 +158,13 @@ impl RunArguments {
         let source = self.trust.source(self.scenario.as_deref().unwrap_or(Path::new("")))?;
         let setup = self.options.clone().setup(&source.open()?)?.cancel(signals.cancel());
         let (opened, length) = (setup.scenario().clone(), setup.span()?);
+        let sampled = if opened.has_routine() { Some(setup.plan()?) } else { None };
         let cohort = match (&self.profiles, self.members) {
             // Only the list knows who shows a condition that is left out.
             (Some(file), _) => {
                 let profiles = opened.profiles(file, setup.without_conditions())?;
-                if !self.output.quiet {
-                    let remarks = opened.remarks_on(&file.display().to_string(), &profiles, length)?;
-                    remarks.iter().for_each(tell_remark);
-                }
+                let remarks = opened.remarks_on(&file.display().to_string(), &profiles, length)?;
+                remarks.iter().for_each(tell_remark);
                 setup.cohort_of(profiles)
             }
             (None, Some(count)) => setup.cohort(count),
@@ -174,12 +174,13 @@ impl RunArguments {
                 }
                 let run = setup.pace(self.pace.pace()).commands(self.pace.commands()?).start()?;
                 let run = run.metered(&self.metrics.begin(opened.name(), self.output.quiet)?);
-                self.warn(&opened, length);
-                return store(run, self.recording, &self.output, &signals);
+                opened.remarks(length).iter().for_each(tell_remark);
+                let early = sampled.map(EarlyWarnings::begin).transpose()?;
+                return store(run, self.recording, &self.output, &signals, early);
             }
         };
         self.check_cohort_options()?;
-        self.run_cohort(&opened, cohort, length, &signals)
+        self.run_cohort(&opened, cohort, length, sampled, &signals)
     }
 
     fn run_cohort(
@@ -187,6 +188,7 @@ impl RunArguments {
         opened: &OpenScenario,
         setup: CohortSetup,
         length: Span,
+        sampled: Option<PlannedRun>,
         signals: &Signals,
     ) -> Result<(), Failure> {
         let to = self.cohort_place()?;
@@ -197,15 +199,21 @@ impl RunArguments {
             None => setup,
         };
         let cohort = setup.layout(layout).start()?;
-        self.warn(opened, length);
+        opened.remarks(length).iter().for_each(tell_remark);
+        let early = sampled.map(EarlyWarnings::begin).transpose()?;
         if !self.output.quiet {
             cohort::announce(&cohort, self.truth_tables.is_some());
         }
         let progress = self.output.progress(cohort.progress().length);
-        let summary = match to {
-            Some(place) => cohort.store_in(place.path(), |done| show(&progress, Span::ZERO, done)),
-            None => cohort.store(|done| show(&progress, Span::ZERO, done)),
+        let show_and_warn = |done| {
+            show(&progress, Span::ZERO, done);
+            early.iter().for_each(|early| early.tell_soon(&progress));
         };
+        let summary = match to {
+            Some(place) => cohort.store_in(place.path(), show_and_warn),
+            None => cohort.store(show_and_warn),
+        };
+        early.iter().for_each(EarlyWarnings::tell_now);
         self.report_cohort(&progress, &summary?, signals)
     }
 
@@ -305,12 +313,6 @@ impl RunArguments {
         progress.finish_and_clear();
         cohort::report(&self.output, summary)?;
         signals.ended(summary.is_stopped())
-    }
-
-    fn warn(&self, opened: &OpenScenario, length: Span) {
-        if !self.output.quiet {
-            opened.remarks(length).iter().for_each(tell_remark);
-        }
     }
 }
 

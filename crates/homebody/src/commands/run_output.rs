@@ -1,5 +1,7 @@
 //! Runs: progress and results.
 
+use super::check::tell_remark;
+use super::early_warnings::{EarlyWarnings, MOST_DIFFERENCES};
 use super::replacing::Replacing;
 use super::run_messages::{ReplayMessage, RunMessage};
 use crate::failure::Failure;
@@ -15,7 +17,8 @@ use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, SECOND, Span, UtcTime};
 use homebody_log::LogError;
 use homebody_log::files::open::log_beside;
 use homebody_simulation::{
-    Destinations, Difference, RunProgress, RunSummary, Simulation, SimulationError, Treatment, Url, VERSION, WhenDown,
+    Destinations, RunProgress, RunSummary, Simulation, SimulationError, Treatment, Url, VERSION, WhenDown,
+    difference_warnings, shortened,
 };
 use indicatif::ProgressBar;
 use jiff::Timestamp;
@@ -37,7 +40,7 @@ pub struct Output {
     pub away: Away,
     #[command(flatten)]
     pub replacing: Replacing,
-    /// Print errors only
+    /// Print warnings and errors only
     #[arg(short, long)]
     pub quiet: bool,
     /// Print the result as one JSON object on standard output
@@ -87,7 +90,7 @@ impl DestinationTimeout {
     }
 }
 
-fn timeout(text: &str) -> Result<Duration, String> {
+pub fn timeout(text: &str) -> Result<Duration, String> {
     const UNITS: [(&str, f64); 4] = [("ms", 0.001), ("s", 1.0), ("m", 60.0), ("h", 3600.0)];
     let hint = || "write a duration from 100ms to 1h, such as 10s".to_owned();
     let unit = UNITS.iter().find_map(|(unit, seconds)| Some((text.strip_suffix(unit)?, seconds)));
@@ -133,7 +136,15 @@ pub fn check_destinations(out: &[Url]) -> Result<(), Failure> {
 }
 
 /// Simulates a run to its end or until it is stopped, and prints the result.
-pub fn store(run: Simulation, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
+///
+/// The result has the differences of the whole run, so early warnings of its first days are of use only before its end.
+pub fn store(
+    run: Simulation,
+    record: Option<PathBuf>,
+    output: &Output,
+    signals: &Signals,
+    early: Option<EarlyWarnings>,
+) -> Result<(), Failure> {
     let Output { out, truth, replacing, away, .. } = output;
     let to = Destinations {
         log: out.clone(),
@@ -149,7 +160,10 @@ pub fn store(run: Simulation, record: Option<PathBuf>, output: &Output, signals:
     }
     let name = run.scenario().file.name.clone();
     let progress = output.progress(run.progress().length);
-    let summary = run.store(&to, |done| show(&progress, Span::ZERO, done));
+    let summary = run.store(&to, |done| {
+        show(&progress, Span::ZERO, done);
+        early.iter().for_each(|early| early.tell_soon(&progress));
+    });
     progress.finish_and_clear();
     let summary = summary.map_err(|error| failure(error, resume_command, signals))?;
     report(&name, &summary, output)?;
@@ -195,6 +209,11 @@ pub fn report(name: &str, summary: &RunSummary, output: &Output) -> Result<(), F
             true => tell(text.trim_end()),
             false => print_text(&text)?,
         }
+    }
+    if !output.json {
+        let days = |span: Span| span.ratio(DAY);
+        let warnings = difference_warnings(&summary.differences, days(progress.done), days(progress.length));
+        shortened(warnings, MOST_DIFFERENCES).iter().for_each(tell_remark);
     }
     if !output.quiet {
         stored
@@ -252,26 +271,10 @@ fn summary_text(name: &str, summary: &RunSummary) -> String {
     if *agrees == Some(true) {
         text += "replay     identical to the recording, event by event\n";
     }
-    text += &difference_warnings(&summary.differences);
     match &summary.folder {
         _ if !summary.is_stopped() => {}
         Some(folder) => text += &resume_line(folder),
         None => text += "resume     not possible: only a run without --out has a folder to resume\n",
-    }
-    text
-}
-
-/// Most sentences that a result lists (our choice); `homebody routine check` can list all.
-const MOST_DIFFERENCES: usize = 5;
-
-fn difference_warnings(differences: &[Difference]) -> String {
-    let line = |Difference { file, line, text, expected, lived, .. }: &Difference| {
-        let sentence = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        format!("warning: {file}:{line}: \"{sentence}\": expected {expected}; simulated {lived}\n")
-    };
-    let mut text: String = differences.iter().take(MOST_DIFFERENCES).map(line).collect();
-    if let Some(more) = differences.len().checked_sub(MOST_DIFFERENCES).filter(|&more| more > 0) {
-        text += &format!("warning: {more} more sentences differ; homebody routine check --lived lists all\n");
     }
     text
 }

@@ -26,6 +26,7 @@ mod installing;
 mod invariants;
 mod killed_commands;
 mod labels;
+mod life_from;
 mod links;
 mod live_homes;
 mod lives;
@@ -41,6 +42,9 @@ mod noted_log;
 mod outputs;
 mod packaging;
 mod passwords;
+#[allow(dead_code, reason = "these tests use a part of it")]
+#[path = "../../../homebody-life/tests/played_server.rs"]
+mod played_server;
 #[cfg(feature = "postgresql")]
 #[path = "../../../homebody-postgres/tests/stage/server.rs"]
 mod postgres;

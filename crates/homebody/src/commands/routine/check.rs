@@ -1,7 +1,7 @@
 //! `homebody routine check`: the problems of routines.
 
 use super::messages::RoutinesMessage;
-use crate::commands::check::load_with_warnings;
+use crate::commands::check::CheckedScenario;
 use crate::commands::scenario::ScenarioArguments;
 use crate::failure::Failure;
 use crate::print::{json_text, print_json, print_text, tell, write_file};
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// Report all problems of the routines of a scenario
 ///
 /// For each problem of a routine or a condition, the report gives the offending word, the expected input and the nearest known
-/// name.
+/// name. Homebody simulates the first days for two seconds at most, and warns of sentences that do not happen as they say.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody routine check scenarios/tigerplace
@@ -48,17 +48,18 @@ impl RoutineCheckArguments {
         if !to_output && self.json.is_some() && !self.lived {
             return Err(Failure::asked(RoutinesMessage::NeedsLived));
         }
-        let opened = load_with_warnings(self.scenario.source(), to_output && !self.lived, |_| Vec::new())?;
         if self.lived {
-            return self.simulate(&opened);
+            return self.simulate(&self.scenario.source()?.open()?);
         }
+        let CheckedScenario { opened, verdict } =
+            CheckedScenario::load(self.scenario.source(), to_output, OpenScenario::sentence_remarks)?;
         let (scenario, household) = (opened.scenario(), opened.household());
         let mut routines = 0;
         for (index, resident) in scenario.residents.iter().enumerate() {
             let Some(routine) = household.routine(index) else { continue };
             routines += 1;
             tell(format_args!(
-                "{}: no problems. {} has {}, {} and {}.",
+                "{}: {verdict}. {} has {}, {} and {}.",
                 routine.file,
                 resident.file.name,
                 counted(routine.habits.len(), "habit", "habits"),
@@ -88,7 +89,7 @@ impl RoutineCheckArguments {
     }
 }
 
-/// The sentences that the simulation did not follow, two lines each.
+/// The sentences that the simulation did not follow, two lines each, the largest loss first.
 pub fn in_words(sentences: &[Difference]) -> String {
     if sentences.is_empty() {
         return "The simulation followed every sentence.\n".to_owned();

@@ -1,0 +1,318 @@
+//! The conversation about a text: prompts, answers, and the best draft so far.
+
+use crate::free_text::FreeText;
+use crate::life_draft::{DraftLine, DraftStatement, LifeDraft};
+use crate::messages::FreeTextError;
+use crate::model_answer::{AnswerLine, lines_of};
+use crate::model_server::{ChatMessage, ModelServer};
+use crate::rounds_file::{ConversationRound, RoundsFile};
+use crate::system_prompt::{capitalised, first_request, next_request, system_prompt};
+use crate::trial::Trial;
+use homebody_core::resident::DriverFile;
+use homebody_simulation::{OpenScenario, SimulationError, VERSION};
+
+/// Most answers of a conversation (our choice): later ones hardly better the routine.
+pub const MOST_ROUNDS: usize = 4;
+
+/// The work that a conversation is at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConversationStage {
+    /// The model writes the answer of this round, counted from 1.
+    Asking(usize),
+    /// The answer of this round is read and simulated.
+    Checking(usize),
+}
+
+/// A text, a resident, and the answers so far.
+pub struct Conversation {
+    text: FreeText,
+    trial: Trial,
+    system: String,
+    rounds: Vec<ConversationRound>,
+    /// The lines of the latest answer that had any.
+    lines: Vec<AnswerLine>,
+    /// The reason why the latest answer had none.
+    no_lines: Option<String>,
+    best: Option<LifeDraft>,
+    is_over: bool,
+}
+
+impl Conversation {
+    /// A conversation at its beginning, about a resident of a scenario: by name, or the first with a routine.
+    ///
+    /// # Errors
+    ///
+    /// The text cannot be read, the scenario has no such resident, or nobody can have a routine in its home.
+    pub fn new(opened: OpenScenario, resident: Option<&str>, text: &str) -> Result<Conversation, FreeTextError> {
+        let text = FreeText::read(text)?;
+        let trial = Trial::of_resident(opened, resident)?;
+        let system = system_prompt(&trial);
+        let (rounds, lines) = (Vec::new(), Vec::new());
+        Ok(Conversation { text, trial, system, rounds, lines, no_lines: None, best: None, is_over: false })
+    }
+
+    /// The file of the routine in the scenario.
+    pub fn routine_file(&self) -> &str {
+        &self.trial.file
+    }
+
+    /// The messages for the next answer: what a model is told, the text, its latest answer, and what is wrong with that.
+    pub fn messages(&self) -> Vec<ChatMessage> {
+        let text = first_request(&self.text);
+        let system = ChatMessage::system(&self.system);
+        match self.rounds.last() {
+            None => vec![system, ChatMessage::user(&text)],
+            Some(_) if self.lines.is_empty() => {
+                vec![system, ChatMessage::user(&format!("{text}\n\n{}", self.request()))]
+            }
+            Some(_) => {
+                let answer = serde_json::json!({ "lines": self.lines }).to_string();
+                vec![
+                    system,
+                    ChatMessage::user(&text),
+                    ChatMessage::assistant(&answer),
+                    ChatMessage::user(&self.request()),
+                ]
+            }
+        }
+    }
+
+    /// The next prompt for an assistant that has seen the earlier ones.
+    pub fn prompt(&self) -> String {
+        match self.rounds.last() {
+            None => format!("{}\n{}\n", self.system, first_request(&self.text)),
+            Some(_) => self.request() + "\n",
+        }
+    }
+
+    fn request(&self) -> String {
+        match (&self.no_lines, self.rounds.last()) {
+            (Some(why), _) => format!("Your answer cannot be read: {why}. Answer with the JSON object alone."),
+            (None, Some(round)) => next_request(&round.problems, &round.differences),
+            (None, None) => String::new(),
+        }
+    }
+
+    /// Takes the next answer: reads its statements, simulates them if all are right, and keeps the draft if it is the best.
+    ///
+    /// # Errors
+    ///
+    /// The statements cannot be simulated.
+    pub fn take(&mut self, answer: &str) -> Result<(), SimulationError> {
+        let prompt = if self.rounds.is_empty() { first_request(&self.text) } else { self.request() };
+        let mut round = ConversationRound { prompt, answer: answer.to_owned(), ..ConversationRound::default() };
+        let is_last = self.rounds.len() + 1 >= MOST_ROUNDS;
+        match lines_of(answer) {
+            Err(why) => {
+                round.problems = vec![format!("the answer cannot be read: {why}")];
+                // A model that answers the same again will do so next time.
+                let is_repeated = self.rounds.last().is_some_and(|before| before.answer == answer);
+                self.is_over = is_last || is_repeated;
+                self.no_lines = Some(why);
+            }
+            Ok(lines) => {
+                let is_repeated = self.lines == lines;
+                let draft = self.tried(&lines, is_last || is_repeated)?;
+                (round.problems, round.differences) = (draft.problems(), draft.differences());
+                let is_right = round.problems.is_empty() && round.differences.is_empty();
+                self.is_over = is_right || is_last || is_repeated;
+                self.no_lines = None;
+                self.lines = lines;
+                if self.best.as_ref().is_none_or(|best| draft.faults() <= best.faults()) {
+                    self.best = Some(draft);
+                }
+            }
+        }
+        self.rounds.push(round);
+        Ok(())
+    }
+
+    /// The draft of an answer. It is simulated if nothing else is wrong, or `at_last`.
+    fn tried(&self, lines: &[AnswerLine], at_last: bool) -> Result<LifeDraft, SimulationError> {
+        let places: Vec<(usize, usize)> = lines
+            .iter()
+            .enumerate()
+            .flat_map(|(line, of)| (0..of.statements.len()).map(move |statement| (line, statement)))
+            .collect();
+        let statements: Vec<String> = places.iter().map(|&(line, at)| lines[line].statements[at].clone()).collect();
+        let tried = self.trial.read(&statements);
+        let mut draft = LifeDraft {
+            lines: lines.iter().map(|line| self.draft_line(line)).collect(),
+            left_out: self.text.left_out(lines.iter().map(|line| line.source.as_str())),
+            ..LifeDraft::default()
+        };
+        for (&(line, at), refused) in places.iter().zip(&tried.refused) {
+            draft.lines[line].statements[at].refused.clone_from(refused);
+        }
+        if !at_last && !draft.problems().is_empty() {
+            return Ok(draft);
+        }
+        match tried.simulate() {
+            Ok(differences) => {
+                draft.is_simulated = true;
+                for (index, difference) in differences {
+                    let (line, at) = places[index];
+                    draft.lines[line].statements[at].difference.get_or_insert(difference);
+                }
+            }
+            Err(SimulationError::Driver { why, .. }) => draft.run_stops = Some(why),
+            Err(error) => return Err(error),
+        }
+        Ok(draft)
+    }
+
+    fn draft_line(&self, line: &AnswerLine) -> DraftLine {
+        let statement = |text: &String| DraftStatement { text: text.clone(), ..DraftStatement::default() };
+        DraftLine {
+            source: line.source.clone(),
+            is_in_text: !self.text.quoted_by(&line.source).is_empty(),
+            statements: line.statements.iter().map(statement).collect(),
+            assumed: line.assumed.clone(),
+            cannot_be_said: line.cannot_be_said.clone(),
+        }
+    }
+
+    /// Asks a model until nothing is wrong, or for [`MOST_ROUNDS`]. What was answered before an error stays.
+    ///
+    /// # Errors
+    ///
+    /// The model does not answer, or its statements cannot be simulated.
+    pub fn converse(&mut self, server: &ModelServer, at: impl Fn(ConversationStage)) -> Result<(), FreeTextError> {
+        while !self.is_over {
+            let round = self.rounds.len() + 1;
+            at(ConversationStage::Asking(round));
+            let answer = server.answer(&self.messages())?;
+            at(ConversationStage::Checking(round));
+            self.take(&answer)?;
+        }
+        Ok(())
+    }
+
+    /// Whether no further answer is asked for.
+    pub fn is_over(&self) -> bool {
+        self.is_over
+    }
+
+    /// The numbers of problems and of differences of the latest answer.
+    pub fn latest_faults(&self) -> (usize, usize) {
+        self.rounds.last().map_or((0, 0), |round| (round.problems.len(), round.differences.len()))
+    }
+
+    /// The number of answers.
+    pub fn rounds(&self) -> usize {
+        self.rounds.len()
+    }
+
+    /// The best draft.
+    ///
+    /// # Errors
+    ///
+    /// [`FreeTextError::NothingUsable`] if no answer had lines.
+    pub fn draft(&self) -> Result<&LifeDraft, FreeTextError> {
+        self.best.as_ref().ok_or_else(|| FreeTextError::NothingUsable {
+            rounds: self.rounds.len(),
+            why: self.no_lines.clone().unwrap_or_else(|| "there was none".to_owned()),
+        })
+    }
+
+    /// The routine of the accepted lines of the best draft, with the sources as comments. A statement that needs one of a line that
+    /// was not accepted is a comment, too; its reason is in the second part.
+    ///
+    /// # Errors
+    ///
+    /// [`FreeTextError::NothingUsable`] if no answer had lines.
+    pub fn routine(&self, accepted: &[bool]) -> Result<(String, Vec<String>), FreeTextError> {
+        let draft = self.draft()?;
+        let is_accepted = |index: usize| accepted.get(index).copied().unwrap_or(false);
+        let lines = || draft.lines.iter().enumerate();
+        let statements: Vec<String> = lines()
+            .filter(|(index, _)| is_accepted(*index))
+            .flat_map(|(_, line)| line.accepted())
+            .map(String::from)
+            .collect();
+        let mut tried = self.trial.read(&statements).refused.into_iter();
+        let mut lost = Vec::new();
+        let mut text =
+            "# A routine made of free text by homebody life from. Each comment is a sentence of the text, or a note about it.\n"
+                .to_owned();
+        for (index, line) in lines() {
+            text += &format!("\n# {}\n", line.source);
+            let notes = [("assumed", &line.assumed), ("cannot be said", &line.cannot_be_said)];
+            for (what, note) in notes.iter().flat_map(|(what, notes)| notes.iter().map(move |note| (what, note))) {
+                text += &format!("#   {what}: {note}\n");
+            }
+            for statement in &line.statements {
+                let why = match (is_accepted(index), &statement.refused) {
+                    (false, _) => Some("not accepted".to_owned()),
+                    (true, Some(why)) => Some(format!("refused ({why})")),
+                    (true, None) => tried.next().flatten().map(|why| {
+                        lost.push(format!("{:?}: {why}", statement.text));
+                        format!("refused ({why})")
+                    }),
+                };
+                text += &match why {
+                    Some(why) => format!("#   {}: {}\n", one_line(&why), statement.text),
+                    None => format!("{}\n", statement.text),
+                };
+            }
+        }
+        for sentence in &draft.left_out {
+            text += &format!("\n# {sentence}\n#   left out by the model\n");
+        }
+        Ok((text, lost))
+    }
+
+    /// The conversation as a file.
+    pub fn file(&self, home: &str, model: Option<String>, accepted: Vec<bool>) -> RoundsFile {
+        let resident = self.trial.opened.scenario().residents[self.trial.resident].file.name.clone();
+        RoundsFile {
+            program: VERSION.to_owned(),
+            home: home.to_owned(),
+            resident,
+            model,
+            text: self.text.text.clone(),
+            system: self.system.clone(),
+            rounds: self.rounds.clone(),
+            accepted,
+        }
+    }
+
+    /// The name of the resident, with a capital letter.
+    pub fn person(&self) -> String {
+        capitalised(&self.trial.opened.scenario().residents[self.trial.resident].file.name)
+    }
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+impl Trial {
+    /// The trial of a resident by name, or of the first with a routine, or of the first.
+    fn of_resident(opened: OpenScenario, name: Option<&str>) -> Result<Trial, FreeTextError> {
+        let residents = &opened.scenario().residents;
+        let is_routine = |driver: &DriverFile| matches!(driver, DriverFile::Routine(_));
+        let resident = match name {
+            Some(name) => {
+                residents.iter().position(|one| one.file.name.eq_ignore_ascii_case(name)).ok_or_else(|| {
+                    let known = residents.iter().map(|one| one.file.name.clone()).collect();
+                    FreeTextError::UnknownResident { name: name.to_owned(), known }
+                })?
+            }
+            None if residents.is_empty() => {
+                return Err(FreeTextError::NoResident { scenario: opened.name().to_owned() });
+            }
+            None => residents.iter().position(|one| is_routine(&one.file.driver)).unwrap_or(0),
+        };
+        let file = match &residents[resident].file.driver {
+            DriverFile::Routine(file) => file.clone(),
+            _ => format!("{}.routine", residents[resident].file.name.to_lowercase().replace([' ', '/', '\\'], "-")),
+        };
+        let trial = Trial { opened, resident, file };
+        // A home in which nobody can live refuses each statement for the same reason.
+        trial
+            .with_routine("")
+            .map_err(|problems| SimulationError::Problems(homebody_core::problem::Problems(problems)))?;
+        Ok(trial)
+    }
+}

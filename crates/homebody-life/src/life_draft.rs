@@ -1,0 +1,112 @@
+//! The lines of an answer after they were checked: what the reader refuses, what a simulation did otherwise.
+
+use crate::messages::FreeTextWarning;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::Diagnostic;
+use homebody_routine::behaviour::difference::Difference;
+use serde::Serialize;
+
+/// A routine in the making, line by line.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct LifeDraft {
+    /// In the order of the answer.
+    pub lines: Vec<DraftLine>,
+    /// Sentences of the text that no line quotes.
+    pub left_out: Vec<String>,
+    /// The reason why a run with all statements stops.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub run_stops: Option<String>,
+    /// Whether it was simulated.
+    pub is_simulated: bool,
+}
+
+/// A source, and the statements that are made of it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct DraftLine {
+    /// As the model quotes it.
+    pub source: String,
+    /// Whether the text has such a sentence.
+    pub is_in_text: bool,
+    /// Sentences of the routine language.
+    pub statements: Vec<DraftStatement>,
+    /// What the model chose because the text leaves it open.
+    pub assumed: Vec<String>,
+    /// What the language cannot say.
+    pub cannot_be_said: Vec<String>,
+}
+
+/// A sentence of the routine language, or one that the reader refuses.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct DraftStatement {
+    /// The sentence.
+    pub text: String,
+    /// The reason why it is refused.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refused: Option<String>,
+    /// What a simulation did otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference: Option<Difference>,
+}
+
+impl LifeDraft {
+    /// What the model has to correct: refused statements, sentences without a line, lines without a sentence.
+    pub fn problems(&self) -> Vec<String> {
+        let refused = self.lines.iter().flat_map(|line| {
+            let of_line = line.statements.iter().filter_map(|statement| Some((statement, statement.refused.as_ref()?)));
+            of_line.map(|(statement, why)| {
+                format!("Of source {:?}: the statement {:?} is refused: {why}", line.source, statement.text)
+            })
+        });
+        let invented = self.lines.iter().filter(|line| !line.is_in_text && !line.statements.is_empty());
+        let invented =
+            invented.map(|line| format!("The text has no such sentence: {:?}. Remove the line.", line.source));
+        let left_out = self.left_out.iter().map(|sentence| format!("Your answer has no line for: {sentence:?}"));
+        let stops = self.run_stops.iter().map(|why| format!("With these statements the simulation stops: {why}"));
+        refused.chain(invented).chain(left_out).chain(stops).collect()
+    }
+
+    /// What a simulation did otherwise than the statements say.
+    pub fn differences(&self) -> Vec<String> {
+        let of_line = |line: &DraftLine| {
+            let all = line.statements.iter().filter_map(|statement| statement.difference.as_ref());
+            let source = line.source.clone();
+            all.map(move |of| {
+                let Difference { text, expected, lived, .. } = of;
+                format!("Of source {source:?}: {text:?}: expected {expected}; simulated {lived}")
+            })
+            .collect::<Vec<_>>()
+        };
+        self.lines.iter().flat_map(of_line).collect()
+    }
+
+    /// Warnings for the person who accepts lines.
+    pub fn warnings(&self) -> Vec<Diagnostic> {
+        let statements = self.lines.iter().flat_map(|line| &line.statements);
+        let refused = statements.clone().filter_map(|statement| {
+            let (statement, why) = (statement.text.clone(), statement.refused.clone()?);
+            Some(FreeTextWarning::Refused { statement, why })
+        });
+        let differences = statements.filter_map(|statement| {
+            let Difference { expected, lived, .. } = statement.difference.clone()?;
+            Some(FreeTextWarning::NotAsSaid { statement: statement.text.clone(), expected, simulated: lived })
+        });
+        let invented = self.lines.iter().filter(|line| !line.is_in_text && !line.statements.is_empty());
+        let invented = invented.map(|line| FreeTextWarning::NoSource { said: line.source.clone() });
+        let left_out = self.left_out.iter().map(|sentence| FreeTextWarning::LeftOut { sentence: sentence.clone() });
+        let stops = self.run_stops.iter().map(|why| FreeTextWarning::RunStops { why: why.clone() });
+        let all = refused.chain(invented).chain(left_out).chain(stops).chain(differences);
+        all.map(|warning| warning.diagnostic()).collect()
+    }
+
+    /// The number of problems, then that of differences: fewer is better.
+    pub(crate) fn faults(&self) -> (usize, usize) {
+        (self.problems().len(), self.differences().len())
+    }
+}
+
+impl DraftLine {
+    /// The statements that a routine can have.
+    pub fn accepted(&self) -> impl Iterator<Item = &str> {
+        self.statements.iter().filter(|statement| statement.refused.is_none()).map(|statement| statement.text.as_str())
+    }
+}

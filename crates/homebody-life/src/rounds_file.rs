@@ -1,0 +1,51 @@
+//! The rounds of a conversation in a file beside the routine, from which the routine can be made again without a model.
+
+use crate::messages::FreeTextError;
+use serde::{Deserialize, Serialize};
+
+/// A prompt, its answer, and what was found in it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ConversationRound {
+    /// What was asked.
+    pub prompt: String,
+    /// The answer as it came.
+    pub answer: String,
+    /// What the model had to correct.
+    pub problems: Vec<String>,
+    /// What a simulation did otherwise than the statements say.
+    pub differences: Vec<String>,
+}
+
+/// A conversation, and the lines that were accepted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RoundsFile {
+    /// The version of the program.
+    pub program: String,
+    /// The scenario, as the command named it.
+    pub home: String,
+    /// The resident.
+    pub resident: String,
+    /// The model and the address of its server, if one was asked.
+    pub model: Option<String>,
+    /// The text.
+    pub text: String,
+    /// What the model was told before the text.
+    pub system: String,
+    /// In order.
+    pub rounds: Vec<ConversationRound>,
+    /// By line of the result: whether it was accepted.
+    pub accepted: Vec<bool>,
+}
+
+impl RoundsFile {
+    /// Reads the text of a file.
+    ///
+    /// # Errors
+    ///
+    /// [`FreeTextError::NotRounds`].
+    pub fn read(text: &str) -> Result<RoundsFile, FreeTextError> {
+        serde_json::from_str(text).map_err(|error| FreeTextError::NotRounds { why: error.to_string() })
+    }
+}

@@ -1,0 +1,136 @@
+//! The trial of statements in their home: the strict reader, then some simulated days.
+
+use crate::model_answer::LONGEST_ENTRY;
+use homebody_core::problem::{Problem, is_unseen};
+use homebody_routine::behaviour::difference::Difference;
+use homebody_simulation::{OpenScenario, SimulationError};
+
+/// Days of a trial: two months show what a week does not, such as every other Thursday.
+const TRIAL_DAYS: f64 = 60.0;
+
+/// The resident of a scenario whose routine is tried.
+#[derive(Clone)]
+pub struct Trial {
+    pub opened: OpenScenario,
+    pub resident: usize,
+    /// The file of the routine in the scenario.
+    pub file: String,
+}
+
+/// The statements after their trial.
+pub struct TriedStatements {
+    /// By statement: the reason why it is refused.
+    pub refused: Vec<Option<String>>,
+    /// The scenario with the others as the routine of the resident, and the statement of each line of the routine.
+    accepted: Option<(OpenScenario, Vec<usize>)>,
+}
+
+impl Trial {
+    /// Reads statements, and leaves out those that the reader refuses or understands in part only.
+    pub fn read(&self, statements: &[String]) -> TriedStatements {
+        let mut refused: Vec<Option<String>> = statements.iter().map(|statement| misshapen(statement)).collect();
+        loop {
+            let kept: Vec<usize> = (0..statements.len()).filter(|&index| refused[index].is_none()).collect();
+            let wrong = match self.with_routine(&text_of(statements, &kept)) {
+                Ok(opened) => {
+                    let wrong = self.unsimulated(&opened);
+                    if wrong.is_empty() {
+                        return TriedStatements { refused, accepted: Some((opened, kept)) };
+                    }
+                    wrong
+                }
+                Err(problems) => problems.iter().filter_map(|problem| self.place_of(problem)).collect(),
+            };
+            let mut are_some = false;
+            for (line, why) in wrong {
+                if let Some(reason) = kept.get(line).and_then(|&index| refused.get_mut(index)) {
+                    reason.get_or_insert(why);
+                    are_some = true;
+                }
+            }
+            if !are_some {
+                return self.read_one_by_one(statements, refused);
+            }
+        }
+    }
+
+    /// Reads each statement after those that were accepted, for problems that name no line.
+    fn read_one_by_one(&self, statements: &[String], mut refused: Vec<Option<String>>) -> TriedStatements {
+        let (mut kept, mut accepted) = (Vec::new(), None);
+        for index in 0..statements.len() {
+            if refused[index].is_some() {
+                continue;
+            }
+            kept.push(index);
+            let why = match self.with_routine(&text_of(statements, &kept)) {
+                Ok(opened) => match self.unsimulated(&opened).pop() {
+                    Some((_, why)) => why,
+                    None => {
+                        accepted = Some((opened, kept.clone()));
+                        continue;
+                    }
+                },
+                Err(problems) => problems.first().map(Problem::text).unwrap_or_default(),
+            };
+            refused[index] = Some(why);
+            kept.pop();
+        }
+        TriedStatements { refused, accepted }
+    }
+
+    /// The scenario with a text as the routine of the resident.
+    pub fn with_routine(&self, text: &str) -> Result<OpenScenario, Vec<Problem>> {
+        let source = self.opened.source();
+        let edit = self.opened.scenario().edit().routine(self.resident, &self.file, text);
+        OpenScenario::from_files(&edit.over(source.files()), source.entry()).map_err(|problems| problems.0)
+    }
+
+    /// The line of the routine, from 0, and the problem with its hint.
+    fn place_of(&self, problem: &Problem) -> Option<(usize, String)> {
+        let is_own = problem.file == self.file && problem.line > 0;
+        is_own.then(|| (problem.line as usize - 1, problem.text().replace("\n  hint: ", "; hint: ")))
+    }
+
+    /// The lines with words that are not simulated.
+    fn unsimulated(&self, opened: &OpenScenario) -> Vec<(usize, String)> {
+        let remarks = opened.household().routine(self.resident).map(|routine| &routine.remarks[..]).unwrap_or_default();
+        let part = |text: &str| {
+            let text = text.trim();
+            format!("{text:?} is not simulated; hint: leave it out of the statement, and write it into cannot_be_said")
+        };
+        remarks.iter().map(|remark| (remark.line as usize - 1, part(&remark.text))).collect()
+    }
+}
+
+impl TriedStatements {
+    /// Simulates the accepted statements. Returns what did not happen as said, each with its statement.
+    ///
+    /// # Errors
+    ///
+    /// The error of a run that stops.
+    pub fn simulate(&self) -> Result<Vec<(usize, Difference)>, SimulationError> {
+        let Some((opened, kept)) = &self.accepted else { return Ok(Vec::new()) };
+        let mut run = opened.run().days(TRIAL_DAYS).start()?;
+        while run.next_batch()?.is_some() {}
+        let of_statement = |of: Difference| Some((*kept.get(of.line.checked_sub(1)? as usize)?, of));
+        Ok(run.differences().into_iter().filter_map(of_statement).collect())
+    }
+}
+
+/// One statement a line.
+fn text_of(statements: &[String], kept: &[usize]) -> String {
+    kept.iter().map(|&index| format!("{}\n", statements[index])).collect()
+}
+
+/// The reason why a text is no statement, whatever the language says: it could be a comment, or it could hide something.
+fn misshapen(statement: &str) -> Option<String> {
+    let note = |text: &str| text.get(..5).is_some_and(|start| start.eq_ignore_ascii_case("note:"));
+    let why = match statement {
+        _ if statement.chars().any(is_unseen) => "it has an invisible character",
+        _ if statement.contains('#') || note(statement) => "it is a comment",
+        _ if statement.chars().count() > LONGEST_ENTRY => "it is too long; hint: write one deed a sentence",
+        _ if !statement.chars().any(char::is_alphabetic) => "it has no words",
+        _ => return None,
+    };
+    Some(why.to_owned())
+}

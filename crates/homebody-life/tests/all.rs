@@ -1,0 +1,6 @@
+//! All tests of the crate in one program.
+
+mod card;
+mod conversations;
+mod played_server;
+mod servers;

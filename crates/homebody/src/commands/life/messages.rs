@@ -1,0 +1,28 @@
+//! The messages of `homebody life`.
+
+use std::path::PathBuf;
+
+homebody_core::messages! {
+    /// Problems with the options of `homebody life from`.
+    pub enum LifeMessage in "life-from" {
+        /// A person accepts each line. Without a terminal nobody can be asked.
+        NoTerminal error "no-terminal" ("there is no terminal in which you could accept lines")
+            hint ("add --yes to accept all lines, or --json to see them without writing a file");
+        /// Standard input is either the text or the person who accepts lines.
+        TextAndLines error "text-and-lines" ("the text comes from standard input, so that lines cannot be accepted there")
+            hint ("name a file with the text, or add --yes or --json");
+        /// The scenario is not in a folder, so the place of the routine must be said.
+        NoFolder error "no-folder" ("it is not clear where the routine should be written") hint ("add --out FILE");
+        /// The answer has problems, which the assistant can correct.
+        NotYet { problems: usize, differences: usize } warning "not-yet"
+            ("the answer has {problems} problems, and {differences} statements do not happen as they say")
+            hint ("paste this prompt into the same chat, save its answer, and name it with another --answer; --yes takes the answer as it is");
+        /// The statement needs another one that was not accepted, so it is a comment in the routine.
+        NeedsOther { why: String } warning "needs-other" ("not in the routine: {why}")
+            hint ("accept the line that it needs, too, or write the sentence anew");
+        /// The resident follows another file, so that a run does not use the routine yet.
+        NotDriver { resident: String, routine: PathBuf } warning "not-driver"
+            ("{resident} does not follow {} yet", routine.display())
+            hint ("name the routine as \"driver\" in the file of the resident");
+    }
+}

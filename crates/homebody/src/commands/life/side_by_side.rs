@@ -1,0 +1,108 @@
+//! The table of a draft: sources and statements side by side.
+
+use homebody_life::{DraftLine, LifeDraft};
+
+/// Widths of the columns in characters (our choice): together, they fit into a terminal of 120.
+const WIDTHS: [usize; 4] = [32, 42, 20, 20];
+
+const BETWEEN: &str = " | ";
+
+pub fn table(draft: &LifeDraft) -> String {
+    let headings = ["text", "statements", "assumed", "cannot be said"].map(|heading| vec![heading.to_owned()]);
+    let rule: Vec<String> = WIDTHS.iter().map(|width| "-".repeat(*width)).collect();
+    let rule = rule.join("-+-") + "\n";
+    let mut text = format!("{}{rule}", row(&headings));
+    for line in &draft.lines {
+        text += &format!("{}{rule}", line_row(line));
+    }
+    for sentence in &draft.left_out {
+        let cells = [vec![sentence.clone()], vec!["(left out by the model)".to_owned()], Vec::new(), Vec::new()];
+        text += &format!("{}{rule}", row(&cells));
+    }
+    text
+}
+
+/// The row of one line.
+pub fn line_row(line: &DraftLine) -> String {
+    let statements = line.statements.iter().map(|statement| match (&statement.refused, &statement.difference) {
+        (Some(_), _) => format!("(refused) {}", statement.text),
+        (None, Some(of)) => format!("{} (simulated {})", statement.text, of.lived),
+        (None, None) => statement.text.clone(),
+    });
+    let source = if line.is_in_text { line.source.clone() } else { format!("(not in the text) {}", line.source) };
+    row(&[vec![source], statements.collect(), line.assumed.clone(), line.cannot_be_said.clone()])
+}
+
+fn row(cells: &[Vec<String>; 4]) -> String {
+    let columns: Vec<Vec<String>> = cells
+        .iter()
+        .zip(WIDTHS)
+        .map(|(texts, width)| texts.iter().flat_map(|text| wrapped(text, width)).collect())
+        .collect();
+    let height = columns.iter().map(Vec::len).max().unwrap_or(0);
+    let line = |at: usize| {
+        let cells = columns.iter().zip(WIDTHS).map(|(lines, width)| {
+            let cell = lines.get(at).map(String::as_str).unwrap_or_default();
+            format!("{cell:width$}")
+        });
+        cells.collect::<Vec<_>>().join(BETWEEN).trim_end().to_owned() + "\n"
+    };
+    (0..height).map(line).collect()
+}
+
+/// A text in lines of a width; longer words are cut.
+fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    let mut used = 0;
+    let words = text.split_whitespace().flat_map(|word| {
+        let letters: Vec<char> = word.chars().collect();
+        letters.chunks(width).map(|part| part.iter().collect::<String>()).collect::<Vec<_>>()
+    });
+    for word in words {
+        let length = word.chars().count();
+        if used > 0 && used + 1 + length > width {
+            lines.push(String::new());
+            used = 0;
+        }
+        if let Some(line) = lines.last_mut() {
+            if used > 0 {
+                line.push(' ');
+                used += 1;
+            }
+            line.push_str(&word);
+            used += length;
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_life::DraftStatement;
+
+    #[test]
+    fn wraps_cells_and_keeps_every_word() {
+        let source = "She gets up at seven and then sits by the window for a good while before she eats.";
+        let statement = |text: &str, refused: Option<&str>| DraftStatement {
+            text: text.to_owned(),
+            refused: refused.map(str::to_owned),
+            ..DraftStatement::default()
+        };
+        let line = DraftLine {
+            source: source.to_owned(),
+            is_in_text: true,
+            statements: vec![statement("She gets up at 07:00.", None), statement("She sits.", Some("where"))],
+            assumed: vec!["a".repeat(50)],
+            cannot_be_said: Vec::new(),
+        };
+        let row = line_row(&line);
+        assert!(row.lines().all(|line| line.chars().count() <= 123), "{row}");
+        assert!(row.contains("| (refused) She sits."), "{row}");
+        let first: Vec<&str> = row.lines().map(|line| line.split('|').next().unwrap().trim()).collect();
+        assert_eq!(first.join(" ").trim(), source);
+        assert_eq!(row.matches('a').count() - source.matches('a').count(), 50);
+        let draft = LifeDraft { lines: vec![line], left_out: vec!["She knits.".into()], ..LifeDraft::default() };
+        assert!(table(&draft).contains("She knits.") && table(&draft).contains("(left out by the model)"));
+    }
+}
