@@ -12,6 +12,9 @@ use homebody_routine::routine::PartOfDay;
 /// Time within which an occurrence is the one of the statement, before and after its time (our choice).
 const NEAR_MIN: (f64, f64) = (120.0, 300.0);
 
+/// Largest mean delay of the activities that are in time, in minutes (our choice).
+const MEAN_LATE_MIN: f64 = 8.0;
+
 /// Least share of the time of an activity of spare time that is spent on it (our choice): needs interrupt it.
 const COVERED: f64 = 0.6;
 
@@ -263,7 +266,7 @@ impl DrawnHabit {
             let in_time = held.iter().map(|(of, one)| minutes(one.time.begin - view.at(of.day, at.mean())));
             let in_time: Vec<f64> = in_time.filter(|by| (at.low - at.mean() - EARLY_MIN..=at.high - at.mean() + GRACE_MIN).contains(by)).collect();
             let error = mean_error(bounds::deviation(at), in_time.len());
-            fields.push(FieldResult::range("mean time", -error - 1.0, error + 6.0, mean(&in_time), "min after the middle"));
+            fields.push(FieldResult::range("mean time", -error - EARLY_MIN, error + MEAN_LATE_MIN, mean(&in_time), "min after the middle"));
         }
         fields
     }
@@ -298,15 +301,20 @@ impl DrawnHabit {
     /// The share of the time of an activity that also fills spare time.
     fn coverage(&self, occasions: &[Occasion], all: &[Occurrence], view: &LifeView) -> Option<FieldResult> {
         let DrawnTime::At { at, .. } = &self.time else { return None };
-        let lasts = self.length.as_ref().map_or(10.0, |length| length.lasts.low).max(10.0);
+        let length = self.length.as_ref().map(|length| length.lasts.low);
         let cases: Vec<(bool, String)> = occasions
             .iter()
             .filter(|of| of.chance >= 1.0)
             .map(|of| {
-                let time = Interval::new(view.at(of.day, at.high + 5.0), view.at(of.day, at.low + GRACE_MIN + lasts));
+                // With a length, it is under way from the latest begin to the earliest end; else it begins in time.
+                let (from, to) = match length {
+                    Some(length) => (at.high + 5.0, at.low + GRACE_MIN + length),
+                    None => (at.low - EARLY_MIN, at.high + GRACE_MIN),
+                };
+                let time = Interval::new(view.at(of.day, from), view.at(of.day, to));
                 let spent: f64 = all.iter().map(|one| minutes(Interval::new(one.time.begin, one.time.end).overlap(time))).sum();
-                let expected = minutes(time.length()).min(lasts);
-                (spent >= COVERED * expected - 5.0, format!("{spent:.0} of {expected:.0} min on day {}", of.day + 1))
+                let expected = length.map_or(0.5, |length| COVERED * length.min(minutes(time.length())) - 5.0);
+                (spent >= expected, format!("{spent:.0} min on day {}", of.day + 1))
             })
             .collect();
         FieldResult::most("at", &format!("under way after {}", super::homes::clock(at.mean())), &cases)

@@ -60,6 +60,9 @@ const ANSWERS: [Deed; 5] = [
 /// Largest delay of an answer in minutes (our choice): the walk, and the end of what cannot be interrupted.
 const ANSWERED_MIN: f64 = 10.0;
 
+/// Time that needs take in the middle of an answer, in minutes (our choice).
+const NEEDS_MIN: f64 = 20.0;
+
 impl DrawnRule {
     pub fn draw(draw: &mut Draw, life: &DrawnLife) -> DrawnRule {
         use DrawnTrigger as Trigger;
@@ -255,7 +258,15 @@ impl DrawnRule {
             self.until_min.is_none_or(|until| minute < until - 1.0)
         };
         let must_not = |at: &RunTime| self.until_min.is_some_and(|until| minutes(*at - view.life.midnight(*at)) > until + 1.0);
-        let answered = |due: &RunTime| answers.iter().find(|one| one.time.begin >= *due - MINUTE && minutes(one.time.begin - *due) <= ANSWERED_MIN);
+        // "For 20 minutes" is give or take a tenth. What is answered at once comes before the label of its cause.
+        let (early, late) = match self.trigger {
+            Trigger::Doing(_, 0.0) => (self.length_min + NEEDS_MIN, ANSWERED_MIN),
+            Trigger::Doing(_, wait) | Trigger::AloneAfter(_, wait) | Trigger::Sitting(wait) => {
+                (0.1 * wait + 1.0, 0.1 * wait + ANSWERED_MIN)
+            }
+            _ => (1.0, ANSWERED_MIN),
+        };
+        let answered = |due: &RunTime| answers.iter().find(|one| (-early..=late).contains(&minutes(one.time.begin - *due)));
         let valid: Vec<&RunTime> = occasions.iter().filter(|due| may_be(due)).collect();
         let (low, high) = count_bounds(&vec![self.chance; valid.len()]);
         let count = valid.iter().filter(|due| answered(due).is_some()).count();
