@@ -15,7 +15,8 @@ mod truth;
 mod tests;
 
 pub use text::{CLAIMS, CONDITIONS, Claim, ClaimCase, ClaimHome};
-pub use truth::ClaimTruth;
+pub use subject::{Filter, Subject};
+pub use truth::{ClaimTruth, Occurrence};
 
 use crate::simulated::each_step;
 use homebody_core::run::Run;
