@@ -168,10 +168,12 @@ fn habit_row(habit: &Habit) -> ExplanationRow {
         _ => None,
     };
     let lasts = habit.lasts.as_ref().map(Spread::from_fuzzy);
+    let in_all = if habit.is_total { " in all" } else { "" };
     let times = match habit.times {
+        (1, 1) if habit.is_total => "once in all".to_owned(),
         (1, 1) => String::new(),
-        (least, most) if least == most => format!("{least} times"),
-        (least, most) => format!("{least} to {most} times"),
+        (least, most) if least == most => format!("{least} times{in_all}"),
+        (least, most) => format!("{least} to {most} times{in_all}"),
     };
     let mostly = habit.falling.and_then(|falling| falling.mostly);
     let when = match mostly {

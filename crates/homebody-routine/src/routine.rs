@@ -78,6 +78,10 @@ pub struct Habit {
     pub until: Option<Fuzzy>,
     /// The least and the most repetitions in each span that `when` names.
     pub times: (u32, u32),
+    /// Whether `times` are all repetitions of the activity in that span: those with a time of their own, which other
+    /// habits state, count as some of them. Otherwise they are additional.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub is_total: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub falling: Option<Falling>,
 }
@@ -262,12 +266,6 @@ impl Routine {
     /// As opposed to an animal.
     pub fn is_of_person(&self) -> bool {
         self.person.as_ref().is_none_or(|person| person.kind == ResidentKind::Person)
-    }
-
-    /// The place of sleep at night, if stated.
-    pub fn sleeps_at(&self) -> Option<&str> {
-        let beds = self.habits.iter().filter(|habit| habit.activity == Activity::GoToBed && habit.visitor.is_none());
-        beds.filter_map(|habit| habit.place.as_deref()).next()
     }
 }
 

@@ -104,6 +104,9 @@ fn habit_key(habit: &Habit) -> String {
     if habit.times != (1, 1) {
         text += &format!(" times {} {}", habit.times.0, habit.times.1);
     }
+    if habit.is_total {
+        text += " in all";
+    }
     text + phase_key(&habit.phase).as_str()
 }
 
