@@ -332,7 +332,8 @@ fn a_total_counts_the_visits_with_a_time() {
     let said = "She goes to bed at 22:00.\nShe goes to the bathroom at 01:30.\nShe goes to the bathroom three times a night.\n";
     let nightly = |is_total: bool| {
         let lived = Simulated::of_changed(&format!("{BASE}{said}"), 40, |routine| {
-            routine.habits.iter_mut().filter(|habit| habit.times == (3, 3)).for_each(|habit| habit.is_total = is_total);
+            let all = routine.habits.iter_mut().map(|habit| &mut habit.when).filter(|when| when.times == (3, 3));
+            all.for_each(|when| when.is_total = is_total);
         });
         let hours = lived.hours_between("using_bathroom", 1, 40);
         hours.iter().filter(|hour| !(6.75..22.4).contains(*hour)).count() as f64 / 39.0
@@ -349,11 +350,11 @@ fn a_time_in_bed_has_its_length() {
             let at = routine.habits.iter().position(|habit| habit.activity == Activity::GoToBed).unwrap();
             let phase = Phase { from: Some(PhaseDay::Day(20)), ..Phase::default() };
             let mut longer = routine.habits[at].clone();
-            (longer.lasts, longer.phase) = (Some(Fuzzy::exactly(NIGHT_S)), phase);
+            (longer.when.lasts, longer.when.phase) = (Some(Fuzzy::exactly(NIGHT_S)), phase);
             if timed {
-                routine.habits[at].phase.until = Some(PhaseDay::Day(20));
+                routine.habits[at].when.phase.until = Some(PhaseDay::Day(20));
             } else {
-                longer.when = HabitTime::AnyTime;
+                longer.when.time = HabitTime::AnyTime;
             }
             routine.habits.push(longer);
         });

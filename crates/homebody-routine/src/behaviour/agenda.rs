@@ -186,7 +186,7 @@ impl Planner<'_> {
         let mut totals = Vec::new();
         for in_force in life.habits(self.day) {
             let InForce { said: habit, source, .. } = in_force;
-            if habit.is_total {
+            if habit.when.is_total {
                 totals.push(in_force);
                 continue;
             }
@@ -197,7 +197,8 @@ impl Planner<'_> {
                 if habit.activity == Activity::GoToBed && is_bedtime(life, self.day, &in_force) {
                     let share = life.stream_of_day(self.day, &format!("{}/start", of_time(in_force.key, 0))).unit();
                     let later = Span::from_seconds(self.parameters.later_s(&Activity::GoToBed));
-                    self.drafts.bedtime = relative(&habit.when, share, before.1.as_ref()).map(|start| (start, later));
+                    self.drafts.bedtime =
+                        relative(&habit.when.time, share, before.1.as_ref()).map(|start| (start, later));
                 }
                 before.1 = Some(ItemStart::After(habit.activity.clone(), Span::ZERO));
                 continue;
@@ -220,7 +221,7 @@ impl Planner<'_> {
                 count = count.min(said.saturating_sub(2));
                 self.bathroom = Some(said);
             }
-            if habit.when == HabitTime::Then && before.1.is_none() {
+            if habit.when.time == HabitTime::Then && before.1.is_none() {
                 continue;
             }
             let mut last = None;
@@ -241,7 +242,7 @@ impl Planner<'_> {
     fn draw_total(&mut self, in_force: &InForce<Habit>) {
         let habit = in_force.said;
         let at = |time_s: f64| self.life.instant(self.day, time_s);
-        let span = match &habit.when {
+        let span = match &habit.when.time {
             HabitTime::Within(PartOfDay::Night) => Interval::new(self.bed, self.next_up),
             HabitTime::Within(PartOfDay::Day) => Interval::new(self.up, self.bed),
             HabitTime::Within(part) => Interval::new(at(part.hours().0), at(part.hours().1)),
@@ -283,7 +284,7 @@ impl Planner<'_> {
         for in_force in life.habits(tomorrow) {
             let InForce { said: habit, source, .. } = in_force;
             let last = before.1.take().filter(|_| before.0 == source);
-            let is_early = match &habit.when {
+            let is_early = match &habit.when.time {
                 HabitTime::At(time) => life.instant(tomorrow, time.low) < self.next_up,
                 HabitTime::Then => last.is_some(),
                 _ => false,
@@ -303,10 +304,7 @@ impl Planner<'_> {
     /// Number of repetitions on a day.
     fn count(&self, in_force: &InForce<Habit>, day: i32) -> u32 {
         let habit = in_force.said;
-        let within = match habit.when {
-            HabitTime::Within(part) => Some(part),
-            _ => None,
-        };
+        let within = habit.when.part();
         // A skipped meal is not prepared either.
         let meal = habit.activity.of_same_meal().filter(|_| matches!(habit.activity, Activity::Prepare(_)));
         let is_skipped = |activity: &Activity| {
@@ -325,23 +323,26 @@ impl Planner<'_> {
 
     fn count_at(&self, in_force: &InForce<Habit>, day: i32, oftener: f64) -> u32 {
         let InForce { said: habit, strength, key, .. } = *in_force;
-        if !self.life.is_on(&habit.days, day) {
+        if !self.life.is_on(&habit.when.days, day) {
             return 0;
         }
         let key = of_time(key, 0);
         let share = |purpose: &str| self.life.stream_of_day(day, &format!("{key}/{purpose}")).unit();
         let chance = self.life.chance(habit, strength, day);
-        if let Some(days) = habit.chance.days_a_week
+        if let Some(days) = habit.when.chance.days_a_week
             && !self.is_one_of(habit, &key, days, day)
         {
             return 0;
         }
-        let chance =
-            if habit.chance.days_a_week.is_some() { (chance / habit.chance.probability).min(1.0) } else { chance };
+        let chance = if habit.when.chance.days_a_week.is_some() {
+            (chance / habit.when.chance.probability).min(1.0)
+        } else {
+            chance
+        };
         if share("whether") >= (chance * oftener.min(1.0)).min(1.0) {
             return 0;
         }
-        let (least, most) = habit.times;
+        let (least, most) = habit.when.times;
         let drawn = f64::from(least) + libm::floor(share("times") * f64::from(most - least + 1));
         // A fraction becomes a probability.
         let times = drawn * oftener.max(1.0);
@@ -351,7 +352,7 @@ impl Planner<'_> {
 
     /// Whether a day is among the days of its week that are drawn for the habit.
     fn is_one_of(&self, habit: &Habit, key: &str, days: u8, today: i32) -> bool {
-        let meant = self.life.week_of(today).filter(|&day| self.life.is_on(&habit.days, day));
+        let meant = self.life.week_of(today).filter(|&day| self.life.is_on(&habit.when.days, day));
         let share = |day: i32| self.life.stream_of_day(day, &format!("{key}/of the week")).unit();
         let own = share(today);
         meant.filter(|&day| day != today && share(day) < own).count() < usize::from(days)
@@ -360,7 +361,7 @@ impl Planner<'_> {
     /// In seconds, with random numbers from `key`.
     fn length_s(&self, habit: &Habit, key: &str, day: i32) -> f64 {
         let irregular = self.parameters.irregular;
-        let lasts_s = match &habit.lasts {
+        let lasts_s = match &habit.when.lasts {
             Some(lasts) => {
                 let share = self.life.stream_of_day(day, &format!("{key}/lasts")).unit();
                 varied_length(lasts, share, irregular)
@@ -426,11 +427,13 @@ impl Planner<'_> {
             known => (start, known),
         };
         let start = start.saturating_add(if matches!(known, ItemStart::Known) { later } else { Span::ZERO });
-        if matches!(habit.when, HabitTime::At(_)) && self.is_before_rising(start, time.day) != (time.day > self.day) {
+        if matches!(habit.when.time, HabitTime::At(_))
+            && self.is_before_rising(start, time.day) != (time.day > self.day)
+        {
             return None;
         }
         let until_share = || self.life.stream_of_day(time.day, &format!("{key}/until")).unit();
-        let until = habit.until.map(|until| at(varied(&until, until_share(), parameters.irregular)));
+        let until = habit.when.until.map(|until| at(varied(&until, until_share(), parameters.irregular)));
         let item = Item {
             activity,
             place: habit.place.clone(),
@@ -468,7 +471,7 @@ impl Planner<'_> {
     /// The time of one repetition. A fall with a usual part of the day has it with the usual share.
     fn when_of(&self, habit: &Habit, key: &str, day: i32) -> HabitTime {
         let Some((part, from)) = habit.falling.and_then(|falling| Some((falling.mostly?, falling.from))) else {
-            return habit.when.clone();
+            return habit.when.time.clone();
         };
         let share = self.life.stream_of_day(day, &format!("{key}/mostly")).unit();
         match part {

@@ -61,9 +61,9 @@ const NOON_S: f64 = 12.0 * HOUR_S;
 
 /// The stated time in bed of a night, which is the duration of going to bed, and whether the sentence gives the bedtime, too.
 fn in_bed_s(life: &ResidentRoutine, day: i32, parameters: &DayParameters) -> Option<(bool, f64)> {
-    let with_length = holding(life, day, &Activity::GoToBed).find(|habit| habit.said.lasts.is_some())?;
+    let with_length = holding(life, day, &Activity::GoToBed).find(|habit| habit.said.when.lasts.is_some())?;
     let share = life.stream_of_day(day, &format!("{}/lasts", of_time(with_length.key, 0))).unit();
-    let lasts_s = varied_length(with_length.said.lasts.as_ref()?, share, parameters.irregular);
+    let lasts_s = varied_length(with_length.said.when.lasts.as_ref()?, share, parameters.irregular);
     Some((has_time(with_length.said), parameters.lasting_s(&Activity::GoToBed, lasts_s)))
 }
 
@@ -97,17 +97,17 @@ pub(super) fn within_the_day(bed: RunTime, up: RunTime, next_up: RunTime) -> Run
 /// Whether a habit gives tonight's bedtime relative to another activity.
 pub(super) fn is_bedtime(life: &ResidentRoutine, day: i32, habit: &InForce<Habit>) -> bool {
     let first = holding(life, day, &Activity::GoToBed).find(|of| has_time(of.said));
-    !matches!(habit.said.when, HabitTime::At(_)) && first.is_some_and(|first| first.id() == habit.id())
+    !matches!(habit.said.when.time, HabitTime::At(_)) && first.is_some_and(|first| first.id() == habit.id())
 }
 
 /// The name of the place of the coming night's sleep, if stated. Of several sentences, the one about the fewest nights
 /// applies, and of those the last.
 pub(super) fn sleeps_at(life: &ResidentRoutine, day: i32) -> Option<&str> {
     let nights = |habit: &Habit| {
-        let DaySelection { weekdays, months, every, of_month, .. } = habit.days;
+        let DaySelection { weekdays, months, every, of_month, .. } = habit.when.days;
         let days = f64::from(weekdays.count_ones()) / 7.0 * f64::from(months.count_ones()) / 12.0;
         let of_month = f64::from(of_month.1.saturating_sub(of_month.0).min(30) + 1) / 31.0;
-        habit.chance.probability * days * of_month / f64::from(every.max(1))
+        habit.when.chance.probability * days * of_month / f64::from(every.max(1))
     };
     let places = holding(life, day, &Activity::GoToBed).filter(|habit| habit.said.place.is_some());
     let rarest = places.reduce(|one, other| if nights(other.said) <= nights(one.said) { other } else { one });
@@ -150,7 +150,7 @@ pub(super) fn late_by(life: &ResidentRoutine, day: i32, up: RunTime, now: RunTim
 fn holding<'a>(life: &'a ResidentRoutine, day: i32, activity: &Activity) -> impl Iterator<Item = InForce<'a, Habit>> {
     life.habits(day).filter(move |in_force| {
         let InForce { said: habit, strength, key, source, .. } = in_force;
-        if habit.activity != *activity || habit.visitor.is_some() || !life.is_on(&habit.days, day) {
+        if habit.activity != *activity || habit.visitor.is_some() || !life.is_on(&habit.when.days, day) {
             return false;
         }
         if *source == ResidentRoutine::UNSAID && life.says(habit, day) {
@@ -163,7 +163,7 @@ fn holding<'a>(life: &'a ResidentRoutine, day: i32, activity: &Activity) -> impl
 
 /// Whether a habit of rising or going to bed gives its time.
 fn has_time(habit: &Habit) -> bool {
-    !matches!(habit.when, HabitTime::AnyTime | HabitTime::Within(_))
+    !matches!(habit.when.time, HabitTime::AnyTime | HabitTime::Within(_))
 }
 
 /// The time of rising or of going to bed by a habit, in seconds since midnight, and whether the routine or a condition states
@@ -173,7 +173,7 @@ fn clock_of(life: &ResidentRoutine, day: i32, parameters: &DayParameters, activi
     let share = life.stream_of_day(day, &format!("{}/start", of_time(first.key, 0))).unit();
     let gap_s = |gap: &Option<Fuzzy>| gap.map_or(0.0, |gap| gap.at(share));
     let starts = |of: &Activity| start_of(life, day, parameters, of);
-    let time = match &first.said.when {
+    let time = match &first.said.when.time {
         HabitTime::At(time) => varied(time, share, parameters.irregular),
         _ if *activity == Activity::GoToBed => return None,
         HabitTime::Before(of, gap) => starts(of)?.0 - gap_s(gap),
@@ -192,11 +192,11 @@ fn clock_of(life: &ResidentRoutine, day: i32, parameters: &DayParameters, activi
 /// Start and duration, in seconds, of an activity with a time of day that a rising can refer to.
 fn start_of(life: &ResidentRoutine, day: i32, parameters: &DayParameters, activity: &Activity) -> Option<(f64, f64)> {
     let timed = holding(life, day, activity).find_map(|habit| {
-        let HabitTime::At(time) = &habit.said.when else { return None };
+        let HabitTime::At(time) = &habit.said.when.time else { return None };
         let share = life.stream_of_day(day, &format!("{}/start", of_time(habit.key, 0))).unit();
         let usual_s = defaults::length(activity, &life.numbers).median_min * 60.0;
         let start = varied(time, share, parameters.irregular) + parameters.later_s(activity);
-        Some((start, habit.said.lasts.map_or(usual_s, |lasts| lasts.mean())))
+        Some((start, habit.said.when.lasts.map_or(usual_s, |lasts| lasts.mean())))
     });
     match activity {
         // It is eaten once it is prepared.

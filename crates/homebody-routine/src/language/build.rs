@@ -17,8 +17,7 @@ use super::times::is_of_next_day;
 use super::unknown_word::{is_way, unknown_doing};
 use super::words::TextSpan;
 use crate::routine::{
-    Activity, DayKind, Effect, Habit, HabitChance, HabitTime, PartOfDay, ResidentKind, RoutineChange, RoutinePerson,
-    Shy,
+    Activity, Effect, Habit, HabitChance, HabitTime, PartOfDay, ResidentKind, RoutineChange, RoutinePerson, Shy, When,
 };
 use homebody_core::activity::{Help, TimeUse};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
@@ -87,23 +86,19 @@ fn helps(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: Clause, 
     match help {
         Help::Together => {
             let is_of_day = matches!(activity, Activity::GetUp | Activity::GoToBed);
-            if is_of_day && !matches!(visit.when, HabitTime::At(_)) {
+            if is_of_day && !matches!(visit.when.time, HabitTime::At(_)) {
                 return reader.fault(clause.predicate_span, SentenceMessage::WhenHelped);
             }
-            let when = if is_of_day { visit.when.clone() } else { HabitTime::With(Activity::Visit) };
-            let (visitor, lasts, until) = (None, None, None);
-            draft.routine.habits.push(Habit { visitor, activity, when, lasts, until, place: None, ..visit });
+            let time = if is_of_day { visit.when.time.clone() } else { HabitTime::With(Activity::Visit) };
+            let when = When { time, lasts: None, until: None, ..visit.when };
+            draft.routine.habits.push(Habit { visitor: None, activity, when, place: None, ..visit });
             draft.habit_spans.push(clause.predicate_span);
         }
         Help::Instead => {
-            let factor = Fuzzy::exactly(1.0 - visit.chance.probability);
-            let effect = Effect::Oftener { activity, part: None, factor };
-            draft.routine.changes.push(RoutineChange {
-                said: visit.said,
-                days: visit.days,
-                phase: visit.phase,
-                effect,
-            });
+            let factor = Fuzzy::exactly(1.0 - visit.when.chance.probability);
+            let effect = Effect::Oftener { activity, factor };
+            let when = When { days: visit.when.days, phase: visit.when.phase, ..When::default() };
+            draft.routine.changes.push(RoutineChange { said: visit.said, when, effect });
         }
     }
 }
@@ -225,14 +220,16 @@ fn habit(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: Clause) 
         },
         activity,
         place,
-        chance,
-        days: adverbs.days_meant(),
-        phase,
-        when,
-        lasts,
-        until,
-        times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
-        is_total: false,
+        when: When {
+            phase,
+            days: adverbs.days_meant(),
+            chance,
+            time: when,
+            lasts,
+            until,
+            times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
+            is_total: false,
+        },
         falling: match clause.predicate {
             Predicate::Falls(falling) => Some(falling),
             _ => None,
@@ -333,7 +330,20 @@ fn change(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: &Clause
     if let (Effect::DaysAre { .. }, Some(kind)) = (&effect, &clause.adverbs.kind) {
         return reader.fault(kind.span, SentenceMessage::WhichDays);
     }
-    draft.routine.changes.push(RoutineChange { said: draft.said(clause.span), days, phase, effect });
+    let part = clause.adverbs.part.as_ref().map(|slot| slot.value);
+    let time = match effect {
+        Effect::Oftener { .. } | Effect::Active { .. } => part.map_or(HabitTime::AnyTime, HabitTime::Within),
+        _ => HabitTime::AnyTime,
+    };
+    let chance = match effect {
+        Effect::DaysAre { .. } => days_chance(clause),
+        Effect::Skips { .. } | Effect::Forgets { .. } if chance(clause).is_some() => {
+            clause.adverbs.chance.as_ref().map_or(HabitChance::ALWAYS, |slot| slot.value)
+        }
+        _ => HabitChance::ALWAYS,
+    };
+    let when = When { phase, days, chance, time, ..When::default() };
+    draft.routine.changes.push(RoutineChange { said: draft.said(clause.span), when, effect });
 }
 
 /// Strength of a shy person's avoidance of others, where the goal has 1 (our choice).
@@ -369,7 +379,6 @@ const DAYS_AND_CHANCE: &[AdverbKind] =
 
 fn effect(reader: &mut SentenceReader, clause: &Clause) -> Option<(Effect, Vec<AdverbKind>)> {
     let measure = clause.measure.as_ref();
-    let part = clause.adverbs.part.as_ref().map(|slot| slot.value);
     if names_one_outing(reader, clause) {
         let text = reader.said(clause.predicate_span);
         reader.fault(clause.predicate_span, SentenceMessage::OneOuting { text });
@@ -377,11 +386,11 @@ fn effect(reader: &mut SentenceReader, clause: &Clause) -> Option<(Effect, Vec<A
     }
     let found = match (&clause.predicate, measure.map(|measure| (measure.of, measure.by))) {
         (Predicate::Does(activity), Some((of, by))) => {
-            return of_activity(reader, clause, activity, of, by, part);
+            return of_activity(reader, clause, activity, of, by);
         }
         (Predicate::Walks | Predicate::Is, Some((Of::Faster, by))) => (Effect::Pace(by), PHASE),
         (Predicate::Walks, Some((Of::FasterBy { each_week: true }, by))) => (Effect::PaceEachWeek(by), PHASE),
-        (Predicate::Is, Some((Of::Active, factor))) => (Effect::Active { part, factor }, PHASE_AND_PART),
+        (Predicate::Is, Some((Of::Active, factor))) => (Effect::Active { factor }, PHASE_AND_PART),
         (Predicate::Sleeps, Some((Of::Restless | Of::Much, by))) => (Effect::Restless(by), PHASE),
         (Predicate::Sleeps, Some((Of::Later | Of::LongerBy, by))) => {
             (Effect::Later { activity: Activity::GetUp, by }, PHASE)
@@ -394,7 +403,7 @@ fn effect(reader: &mut SentenceReader, clause: &Clause) -> Option<(Effect, Vec<A
         (Predicate::Vary, Some((Of::Much, by))) => (Effect::Irregular(by), PHASE),
         (Predicate::Differ, Some((Of::Much, by))) => (Effect::DaysDiffer(by), PHASE),
         (Predicate::SleepsIn, None) => (Effect::SleepsIn, PHASE_ALONE),
-        (Predicate::Lively(kind, very), None) => (days_are(clause, *kind, *very), DAYS_AND_CHANCE),
+        (Predicate::Lively(kind, very), None) => (Effect::DaysAre { kind: *kind, very: *very }, DAYS_AND_CHANCE),
         (Predicate::Breathes, Some((Of::Breaths, by))) => (Effect::Respiration(by), PHASE),
         (Predicate::Rises(AmountPhrase { of: Of::Beats, by, .. }), None) => (Effect::Pulse(*by), PHASE),
         (Predicate::Rises(AmountPhrase { of: Of::Breaths, by, .. }), None) => (Effect::Respiration(*by), PHASE),
@@ -407,27 +416,27 @@ fn effect(reader: &mut SentenceReader, clause: &Clause) -> Option<(Effect, Vec<A
             (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE_ALONE)
         }
         (Predicate::Not(activity), None) => match chance(clause) {
-            Some(chance) => (Effect::Skips { activity: activity.clone(), chance }, PHASE_AND_CHANCE),
+            Some(_) => (Effect::Skips { activity: activity.clone() }, PHASE_AND_CHANCE),
             None => {
                 let factor = Fuzzy::exactly(0.0);
-                (Effect::Oftener { activity: activity.clone(), part, factor }, PHASE_AND_PART)
+                (Effect::Oftener { activity: activity.clone(), factor }, PHASE_AND_PART)
             }
         },
         (Predicate::Unfinished(activity), None) => {
             (Effect::Longer { activity: activity.clone(), factor: UNFINISHED }, PHASE)
         }
         (Predicate::Skips(activity), None) if says_weekdays(clause) && chance(clause).is_none() => {
-            (Effect::Skips { activity: activity.clone(), chance: 1.0 }, PHASE)
+            (Effect::Skips { activity: activity.clone() }, PHASE)
         }
         (Predicate::Skips(activity), None) => {
             let example =
                 format!("she skips {} on 30 % of days", reader.said(last_word(clause.predicate_span, reader)));
-            let chance = needed_chance(reader, clause, &example)?;
-            (Effect::Skips { activity: activity.clone(), chance }, PHASE_AND_CHANCE)
+            needed_chance(reader, clause, &example)?;
+            (Effect::Skips { activity: activity.clone() }, PHASE_AND_CHANCE)
         }
         (Predicate::Forgets(thing), None) => {
-            let chance = needed_chance(reader, clause, &format!("she forgets the {thing} on 5 % of occasions"))?;
-            (Effect::Forgets { thing: thing.clone(), chance }, PHASE_AND_CHANCE)
+            needed_chance(reader, clause, &format!("she forgets the {thing} on 5 % of occasions"))?;
+            (Effect::Forgets { thing: thing.clone() }, PHASE_AND_CHANCE)
         }
         _ => {
             not_a_change(reader, clause);
@@ -437,12 +446,12 @@ fn effect(reader: &mut SentenceReader, clause: &Clause) -> Option<(Effect, Vec<A
     Some((found.0, found.1.to_vec()))
 }
 
-fn days_are(clause: &Clause, kind: DayKind, very: bool) -> Effect {
+fn days_chance(clause: &Clause) -> HabitChance {
     let adverbs = &clause.adverbs;
     let said = [adverbs.weekdays.is_some(), adverbs.months.is_some(), adverbs.every.is_some()];
     let unsaid =
         if said.contains(&true) { HabitChance::ALWAYS } else { HabitChance::from_quantifier(Quantifier::Sometimes) };
-    Effect::DaysAre { kind, very, chance: adverbs.chance.as_ref().map_or(unsaid, |slot| slot.value) }
+    adverbs.chance.as_ref().map_or(unsaid, |slot| slot.value)
 }
 
 fn says_weekdays(clause: &Clause) -> bool {
@@ -465,16 +474,15 @@ fn of_activity(
     activity: &Activity,
     of: Of,
     by: Fuzzy,
-    part: Option<PartOfDay>,
 ) -> Option<(Effect, Vec<AdverbKind>)> {
     let activity = activity.clone();
     let effect = match of {
         Of::Later => Effect::Later { activity, by },
         Of::Longer => Effect::Longer { activity, factor: by },
         Of::LongerBy => Effect::LongerBy { activity, by },
-        Of::Oftener => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART.to_vec())),
+        Of::Oftener => return Some((Effect::Oftener { activity, factor: by }, PHASE_AND_PART.to_vec())),
         Of::Some if lasts_long(&activity) => Effect::Longer { activity, factor: by },
-        Of::Some => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART.to_vec())),
+        Of::Some => return Some((Effect::Oftener { activity, factor: by }, PHASE_AND_PART.to_vec())),
         Of::Much => {
             let span = clause.measure.as_ref().map_or(clause.span, |measure| measure.span);
             reader.fault(span, SentenceMessage::MoreOrLonger { text: reader.said(span) });

@@ -288,7 +288,7 @@ impl Parting<'_> {
                 _ => &words[..],
             };
             let routine = read_alone(self.names, self.draft, self.draft.text, words).unwrap_or_default();
-            routine.habits.iter().all(|habit| habit.days != crate::routine::DaySelection::ALL)
+            routine.habits.iter().all(|habit| habit.when.days != crate::routine::DaySelection::ALL)
         };
         lived.len() < 2 || lived.iter().all(says_days) || !lived.iter().any(says_days)
     }

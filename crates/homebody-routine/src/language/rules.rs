@@ -16,7 +16,7 @@ use super::subjects::{self, SentenceSubject};
 use super::triggers::{circumstances, trigger};
 use super::unknown_word;
 use super::words::{SentenceWord, Token};
-use crate::routine::{Lapse, Response, RoutineRule, RuleTrigger};
+use crate::routine::{HabitChance, Lapse, Response, RoutineRule, RuleTrigger, When};
 
 /// Reads a rule from behind "whenever".
 pub fn rule(reader: &mut SentenceReader, draft: &mut RoutineDraft, front: &Adverbs) {
@@ -59,13 +59,13 @@ pub fn rule(reader: &mut SentenceReader, draft: &mut RoutineDraft, front: &Adver
         &[AdverbKind::Chance, AdverbKind::Lasts, AdverbKind::Phase],
         "a rule starts each time its first part comes true",
     );
-    let probability = adverbs.chance.as_ref().map_or(1.0, |chance| chance.value.probability);
+    let chance = adverbs.chance.as_ref().map_or(HabitChance::ALWAYS, |chance| chance.value);
     let all = adverbs.under(front);
     let phase = all.phase_meant(reader, draft.is_condition);
     let span = reader.span(0);
     draft.phase(reader, &phase, &all, span);
-    let rule =
-        RoutineRule { said: draft.said(span), whenever, lasts, only_if, probability, phase, response, then, lapse };
+    let when = When { phase, chance, ..When::default() };
+    let rule = RoutineRule { said: draft.said(span), whenever, lasts, only_if, when, response, then, lapse };
     draft.routine.rules.push(rule);
     draft.rule_spans.push((trigger_span, lasts_span));
 }
