@@ -136,7 +136,9 @@ impl DrawnLife {
 
     fn view<'a>(&'a self, life: &'a SimulatedLife) -> LifeView<'a> {
         let takes = |day: i32| {
-            self.statements.iter().any(|statement| matches!(statement, DrawnStatement::Habit(habit) if habit.takes(day)))
+            self.statements
+                .iter()
+                .any(|statement| matches!(statement, DrawnStatement::Habit(habit) if habit.takes(day)))
         };
         LifeView {
             life: &life.truth,
@@ -212,7 +214,11 @@ impl DrawnLife {
         self.simulate_text(&self.routine(statements, &[]), statements)
     }
 
-    fn simulate_with_carriers(&self, statements: &[usize], of: usize) -> Result<SimulatedLife, Vec<(Option<usize>, String)>> {
+    fn simulate_with_carriers(
+        &self,
+        statements: &[usize],
+        of: usize,
+    ) -> Result<SimulatedLife, Vec<(Option<usize>, String)>> {
         self.simulate_text(&self.routine(statements, &[of]), statements)
     }
 

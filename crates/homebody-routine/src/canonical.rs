@@ -31,7 +31,7 @@ pub fn habit_sentence(habit: &Habit) -> String {
         _ => phrase(&habit.activity),
     };
     let place = habit.place.as_ref().map(|place| place_words(&habit.activity, place));
-    let When { time, lasts, until, times, .. } = &habit.when;
+    let When { time, lasts, until, .. } = &habit.when;
     let lies = habit.falling.is_some_and(|falling| falling.ends == FallEnds::Rises);
     let lasting = lasts.as_ref().map(|lasts| match lies {
         true => format!("and lies there for {}", duration(lasts)),
@@ -42,9 +42,9 @@ pub fn habit_sentence(habit: &Habit) -> String {
         Some(who),
         Some(does),
         place,
-        times_words(*times, time),
+        times_words(&habit.when),
         mostly,
-        time_words(time).filter(|_| *times == (1, 1) || !is_span(time)),
+        time_words(time).filter(|_| times_words(&habit.when).is_none() || !is_span(time)),
         lasting,
         until.as_ref().map(|until| format!("until {}", clock(until, "until"))),
     ];
@@ -167,16 +167,18 @@ pub fn chance_words(chance: &HabitChance) -> Option<String> {
     }
 }
 
-fn times_words((least, most): (u32, u32), time: &HabitTime) -> Option<String> {
-    let a = match time {
+fn times_words(when: &When) -> Option<String> {
+    let a = match when.time {
         HabitTime::Within(PartOfDay::Night) => " a night",
         HabitTime::Within(PartOfDay::Day) => " during the day",
         _ => "",
     };
-    match (least, most) {
+    let in_all = if when.is_total { " in all" } else { "" };
+    match when.times {
+        (1, 1) if when.is_total => Some(format!("once{a}{in_all}")),
         (1, 1) => None,
-        (least, most) if least == most => Some(format!("{}{a}", count(least))),
-        (least, most) => Some(format!("{least} to {most} times{a}")),
+        (least, most) if least == most => Some(format!("{}{a}{in_all}", count(least))),
+        (least, most) => Some(format!("{least} to {most} times{a}{in_all}")),
     }
 }
 

@@ -200,10 +200,12 @@ fn habit_cells(row: &mut ExplanationRow, habit: &Habit) {
     };
     row.lasts = habit.when.lasts.as_ref().map(Spread::from_fuzzy);
     row.phase = phase_words(&habit.when.phase);
+    let in_all = if habit.when.is_total { " in all" } else { "" };
     let times = match habit.when.times {
+        (1, 1) if habit.when.is_total => "once in all".to_owned(),
         (1, 1) => String::new(),
-        (least, most) if least == most => format!("{least} times"),
-        (least, most) => format!("{least} to {most} times"),
+        (least, most) if least == most => format!("{least} times{in_all}"),
+        (least, most) => format!("{least} to {most} times{in_all}"),
     };
     let mostly = habit.falling.and_then(|falling| falling.mostly);
     let time = mostly.map_or_else(|| short_when(&habit.when.time), |part| format!("mostly {}", part.word()));

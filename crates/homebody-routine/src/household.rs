@@ -210,6 +210,14 @@ impl Household {
         Household { is_one_of_many: true, ..self.clone() }
     }
 
+    /// The same household with another routine of a resident, such as one that was built from values.
+    pub fn with_routine(&self, resident: usize, routine: Routine) -> Household {
+        let mut household = self.clone();
+        household.routines.iter_mut().skip(resident).take(1).for_each(|of| *of = Some(routine.clone()));
+        household.guests = household.find_guests();
+        household
+    }
+
     pub fn routine(&self, resident: usize) -> Option<&Routine> {
         self.routines.get(resident)?.as_ref()
     }
@@ -327,8 +335,7 @@ impl Household {
             None => body,
         };
         let (mesh, name) = (self.mesh(body, home), &self.scenario.residents[host].file.name);
-        let asleep_at = self.routine(body).and_then(Routine::sleeps_at);
-        let places = Arc::new(HomePlaces::new(&self.scenario.home, &home.plan, &mesh, name).sleeping_at(asleep_at));
+        let places = Arc::new(HomePlaces::new(&self.scenario.home, &home.plan, &mesh, name));
         Some(DriverTemplate { mesh, places, people: self.people(), life: self.life(host, 0), ways: None })
     }
 

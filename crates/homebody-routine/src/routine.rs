@@ -105,6 +105,10 @@ pub struct When {
     /// The least and the most repetitions in each span that `time` names.
     #[serde(skip_serializing_if = "is_once")]
     pub times: (u32, u32),
+    /// Whether `times` are all repetitions of the activity in that span: those with a time of their own, which other
+    /// habits state, count as some of them. Otherwise they are additional.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub is_total: bool,
 }
 
 fn is_usual<T: Default + PartialEq>(value: &T) -> bool {
@@ -126,6 +130,7 @@ impl Default for When {
             lasts: None,
             until: None,
             times: (1, 1),
+            is_total: false,
         }
     }
 }
@@ -347,12 +352,6 @@ impl Routine {
     /// As opposed to an animal.
     pub fn is_of_person(&self) -> bool {
         self.person.as_ref().is_none_or(|person| person.kind == ResidentKind::Person)
-    }
-
-    /// The place of sleep at night, if stated.
-    pub fn sleeps_at(&self) -> Option<&str> {
-        let beds = self.habits.iter().filter(|habit| habit.activity == Activity::GoToBed && habit.visitor.is_none());
-        beds.filter_map(|habit| habit.place.as_deref()).next()
     }
 }
 

@@ -15,6 +15,7 @@ mod habits;
 mod home;
 mod lexicon;
 mod mutations;
+mod own_days;
 mod page;
 mod reach;
 mod residents;

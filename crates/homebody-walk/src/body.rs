@@ -99,7 +99,7 @@ impl WalkingBody {
         self.spot = Some(spot.clone());
         let mut moves = self.stand_up(now, pace, stream);
         let set_out = moves.last().map_or(now, |last| last.end);
-        let gait = Gait::for_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
+        let gait = self.gait(hour, pace, stream);
         moves.extend(walk(&path, self.at, set_out, &gait));
         if spot.posture != Posture::Standing {
             let arrived = moves.last().map_or(set_out, |last| last.end);
@@ -120,7 +120,7 @@ impl WalkingBody {
         stream: &mut Stream,
     ) -> Vec<MotionSegment> {
         let mut moves = self.stand_up(now, pace, stream);
-        let gait = Gait::for_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
+        let gait = self.gait(hour, pace, stream);
         let from = self.step_out(now, &gait, &mut moves);
         let begin = moves.last().map_or(now, |last| last.end);
         let (mesh, Home { plan, numbers, .. }) = (self.routes.mesh(), &*self.home);
@@ -134,7 +134,7 @@ impl WalkingBody {
     /// The segments of rising and stepping out of a bed or chair; empty for a body that stands on free floor.
     pub fn get_up(&mut self, now: RunTime, hour: f64, pace: f64, stream: &mut Stream) -> Vec<MotionSegment> {
         let mut moves = self.stand_up(now, pace, stream);
-        let gait = Gait::for_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
+        let gait = self.gait(hour, pace, stream);
         self.step_out(now, &gait, &mut moves);
         self.spot = None;
         moves
@@ -167,6 +167,13 @@ impl WalkingBody {
             moves.push(rise(self.at, begin, self.frailty(pace), numbers, stream));
         }
         moves
+    }
+
+    /// At a changed pace, a walk takes in proportion as long: the acceleration changes with its square, so that the body
+    /// reaches its speed after the same distance.
+    fn gait(&self, hour: f64, pace: f64, stream: &mut Stream) -> Gait {
+        let gait = Gait::for_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
+        Gait { acceleration_mps2: gait.acceleration_mps2 * pace * pace, ..gait }
     }
 
     fn frailty(&self, pace: f64) -> f64 {

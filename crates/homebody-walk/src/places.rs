@@ -169,8 +169,9 @@ impl HomePlaces {
         self.own_spot(&name).or_else(|| self.spot(&name))
     }
 
-    pub fn sleeping_at(mut self, name: Option<&str>) -> HomePlaces {
-        if let Some(spot) = name.and_then(|name| self.named(name)).cloned() {
+    /// With a named place as the bed.
+    pub fn sleeping_at(mut self, name: &str) -> HomePlaces {
+        if let Some(spot) = self.named(name).cloned() {
             self.of_role[Role::Bed as usize].0 = Some(spot);
         }
         self

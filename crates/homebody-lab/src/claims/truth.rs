@@ -358,7 +358,9 @@ impl Body {
         }
         if let MotionState::InPlace { at, .. } | MotionState::Rest { at } = doing {
             match self.stays.last_mut() {
-                Some(last) if last.time.end == time.begin && last.at == *at && last.posture == posture => last.time.end = time.end,
+                Some(last) if last.time.end == time.begin && last.at == *at && last.posture == posture => {
+                    last.time.end = time.end
+                }
                 _ if time.length() >= LEAST_STAY => self.stays.push(Stay { time, at: *at, posture }),
                 _ => {}
             }

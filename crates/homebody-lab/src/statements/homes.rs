@@ -149,7 +149,10 @@ impl DrawnBase {
                 }
             }
             1 if !is_late => {
-                add("She prepares breakfast at about 08:30 for 15 minutes, then eats for 20 minutes.", &["eating_breakfast"]);
+                add(
+                    "She prepares breakfast at about 08:30 for 15 minutes, then eats for 20 minutes.",
+                    &["eating_breakfast"],
+                );
                 add("She prepares lunch at about 12:00 for 25 minutes, then eats for 25 minutes.", &["eating_lunch"]);
                 add("She prepares dinner at about 17:30 for 30 minutes, then eats for 30 minutes.", &["eating_dinner"]);
             }
@@ -166,8 +169,22 @@ impl DrawnBase {
             let condition = ["depression", "frailty", "insomnia", "heart failure"][draw.below(4) as usize];
             let from = 2 + draw.below(days.max(4) as u32 / 3);
             let about = [
-                "condition", "getting_up", "going_to_bed", "away", "eating_breakfast", "eating_lunch", "eating_dinner", "housework",
-                "lying_awake", "using_bathroom", "watching_television", "fallen", "showering", "wandering", "napping", "laundry",
+                "condition",
+                "getting_up",
+                "going_to_bed",
+                "away",
+                "eating_breakfast",
+                "eating_lunch",
+                "eating_dinner",
+                "housework",
+                "lying_awake",
+                "using_bathroom",
+                "watching_television",
+                "fallen",
+                "showering",
+                "wandering",
+                "napping",
+                "laundry",
             ];
             add(&format!("From day {from}, over 7 days, she shows mild {condition}."), &about);
         }
@@ -187,11 +204,15 @@ impl DrawnBase {
         }
         let replaces = |label: &str| labels.contains(&label);
         let is_kept = |sentence: &&String| {
-            let told = [("eats breakfast", "eating_breakfast"), ("eats lunch", "eating_lunch"), ("eats dinner", "eating_dinner")];
+            let told = [
+                ("eats breakfast", "eating_breakfast"),
+                ("eats lunch", "eating_lunch"),
+                ("eats dinner", "eating_dinner"),
+            ];
             let cooked = [("breakfast", "eating_breakfast"), ("lunch", "eating_lunch"), ("dinner", "eating_dinner")];
             let eats = told.iter().any(|(words, label)| sentence.contains(words) && replaces(label));
-            let cooks_and_eats =
-                sentence.contains("then eats") && cooked.iter().any(|(meal, label)| sentence.contains(meal) && replaces(label));
+            let cooks_and_eats = sentence.contains("then eats")
+                && cooked.iter().any(|(meal, label)| sentence.contains(meal) && replaces(label));
             !eats && !cooks_and_eats && !(sentence.contains("goes out") && replaces("away"))
         };
         sentences.extend(self.sentences.iter().filter(is_kept).map(|sentence| home.of_person(&lowered(sentence))));

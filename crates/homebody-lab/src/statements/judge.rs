@@ -66,7 +66,10 @@ impl DrawnHabit {
     fn fields(&self, view: &LifeView, all: &[Occurrence], odd: bool) -> Vec<FieldResult> {
         let occasions = self.occasions(view, all, odd);
         let mut fields = Vec::new();
-        if self.time == DrawnTime::Within(PartOfDay::Night) && self.deed.label == "using_bathroom" && self.times.is_none() {
+        if self.time == DrawnTime::Within(PartOfDay::Night)
+            && self.deed.label == "using_bathroom"
+            && self.times.is_none()
+        {
             // The need continues on other nights.
         } else if self.deed.background == Background::SpareTime {
             fields.extend(self.coverage(&occasions, all, view));
@@ -84,7 +87,13 @@ impl DrawnHabit {
             let hours = part.hours();
             let within = all.iter().filter(|one| is_between(one.clock_min, (hours.0 / 60.0, hours.1 / 60.0))).count();
             let (low, high) = count_bounds(&vec![homebody_routine::routine::USUAL_SHARE; all.len()]);
-            fields.push(FieldResult::range("mostly", low as f64, high as f64, within as f64, &format!("of {} falls", all.len())));
+            fields.push(FieldResult::range(
+                "mostly",
+                low as f64,
+                high as f64,
+                within as f64,
+                &format!("of {} falls", all.len()),
+            ));
         }
         fields
     }
@@ -129,7 +138,8 @@ impl DrawnHabit {
                     minutes(one.time.begin - from) >= -NEAR_MIN.0 && minutes(one.time.begin - to) <= NEAR_MIN.1
                 }
                 (None, Some(anchor)) => {
-                    minutes(one.time.begin - anchor.begin) >= -NEAR_MIN.0 && minutes(one.time.begin - anchor.end) <= NEAR_MIN.1
+                    minutes(one.time.begin - anchor.begin) >= -NEAR_MIN.0
+                        && minutes(one.time.begin - anchor.end) <= NEAR_MIN.1
                 }
                 (None, None) => true,
             };
@@ -151,9 +161,14 @@ impl DrawnHabit {
             _ => "chance",
         };
         if self.is_only() {
-            let wrong: Vec<&Occasion> = occasions.iter().filter(|of| of.chance == 0.0 && !of.found.is_empty()).collect();
+            let wrong: Vec<&Occasion> =
+                occasions.iter().filter(|of| of.chance == 0.0 && !of.found.is_empty()).collect();
             if occasions.iter().any(|of| of.chance == 0.0) {
-                let excluded = when.days.field().into_iter().chain(when.phase.fields().into_iter().filter(|field| *field != "over"));
+                let excluded = when
+                    .days
+                    .field()
+                    .into_iter()
+                    .chain(when.phase.fields().into_iter().filter(|field| *field != "over"));
                 let field = format!("not on other days ({})", excluded.collect::<Vec<_>>().join(", "));
                 let mut result = FieldResult::range(&field, 0.0, 0.0, wrong.len() as f64, "days");
                 if let Some(first) = wrong.first() {
@@ -169,7 +184,10 @@ impl DrawnHabit {
                 .life
                 .whole_weeks()
                 .into_iter()
-                .filter(|monday| (*monday..monday + 7).all(|day| meant.iter().any(|of| of.day == day && when.phase.strength(day) == 1.0)))
+                .filter(|monday| {
+                    (*monday..monday + 7)
+                        .all(|day| meant.iter().any(|of| of.day == day && when.phase.strength(day) == 1.0))
+                })
                 .map(|monday| {
                     let of_week = meant.iter().filter(|of| (monday..monday + 7).contains(&of.day));
                     let count = of_week.filter(|of| !of.found.is_empty()).count();
@@ -180,7 +198,8 @@ impl DrawnHabit {
         } else if !meant.is_empty() {
             let (low, high) = count_bounds(&meant.iter().map(|of| of.chance.min(1.0)).collect::<Vec<_>>());
             let high = if self.is_only() || self.visitor.is_some() { high } else { meant.len() };
-            let mut result = FieldResult::range(name, low as f64, high as f64, on as f64, &format!("of {} days", meant.len()));
+            let mut result =
+                FieldResult::range(name, low as f64, high as f64, on as f64, &format!("of {} days", meant.len()));
             if let Some(first) = meant.iter().find(|of| of.chance >= 1.0 && of.found.is_empty())
                 && !result.holds
             {
@@ -264,9 +283,17 @@ impl DrawnHabit {
             && held.len() >= 10
         {
             let in_time = held.iter().map(|(of, one)| minutes(one.time.begin - view.at(of.day, at.mean())));
-            let in_time: Vec<f64> = in_time.filter(|by| (at.low - at.mean() - EARLY_MIN..=at.high - at.mean() + GRACE_MIN).contains(by)).collect();
+            let in_time: Vec<f64> = in_time
+                .filter(|by| (at.low - at.mean() - EARLY_MIN..=at.high - at.mean() + GRACE_MIN).contains(by))
+                .collect();
             let error = mean_error(bounds::deviation(at), in_time.len());
-            fields.push(FieldResult::range("mean time", -error - EARLY_MIN, error + MEAN_LATE_MIN, mean(&in_time), "min after the middle"));
+            fields.push(FieldResult::range(
+                "mean time",
+                -error - EARLY_MIN,
+                error + MEAN_LATE_MIN,
+                mean(&in_time),
+                "min after the middle",
+            ));
         }
         fields
     }
@@ -312,7 +339,8 @@ impl DrawnHabit {
                     None => (at.low - EARLY_MIN, at.high + GRACE_MIN),
                 };
                 let time = Interval::new(view.at(of.day, from), view.at(of.day, to));
-                let spent: f64 = all.iter().map(|one| minutes(Interval::new(one.time.begin, one.time.end).overlap(time))).sum();
+                let spent: f64 =
+                    all.iter().map(|one| minutes(Interval::new(one.time.begin, one.time.end).overlap(time))).sum();
                 let expected = length.map_or(0.5, |length| COVERED * length.min(minutes(time.length())) - 5.0);
                 (spent >= expected, format!("{spent:.0} min on day {}", of.day + 1))
             })
@@ -352,7 +380,11 @@ impl DrawnHabit {
         let opens = |at: RunTime| view.life.is_used("front door", Interval::new(at - 3 * MINUTE, at + 3 * MINUTE));
         let ended = all.iter().filter(|one| one.time.end < view.at(view.days, 0.0) - MINUTE);
         let door = |one: &Occurrence| (opens(one.time.begin) && opens(one.time.end), view.clock(one.time.begin));
-        fields.extend(FieldResult::most("door", "it opens as the visitor comes and goes", &ended.map(door).collect::<Vec<_>>()));
+        fields.extend(FieldResult::most(
+            "door",
+            "it opens as the visitor comes and goes",
+            &ended.map(door).collect::<Vec<_>>(),
+        ));
     }
 
     /// An absence, or a stay of a visitor, of whole days.
@@ -364,7 +396,8 @@ impl DrawnHabit {
         };
         let (begin, end) = (view.at(from + 1, 0.0), view.at(from + days - 1, 0.0));
         let inner = Interval::new(begin, end);
-        let within: f64 = all.iter().map(|one| minutes(Interval::new(one.time.begin, one.time.end).overlap(inner))).sum();
+        let within: f64 =
+            all.iter().map(|one| minutes(Interval::new(one.time.begin, one.time.end).overlap(inner))).sum();
         let whole = minutes(inner.length());
         let mut fields = Vec::new();
         if whole > 0.0 {
@@ -375,7 +408,8 @@ impl DrawnHabit {
         let days_f = f64::from(days);
         fields.push(FieldResult::range("length", days_f - 0.75, days_f + 0.75, longest, "days"));
         if self.visitor.is_some() {
-            let other = all.iter().filter(|one| one.time.end < begin - 24 * HOUR || one.time.begin > end + 48 * HOUR).count();
+            let other =
+                all.iter().filter(|one| one.time.end < begin - 24 * HOUR || one.time.begin > end + 48 * HOUR).count();
             fields.push(FieldResult::range("not on other days (from)", 0.0, 0.0, other as f64, "stays"));
         }
         fields

@@ -70,7 +70,15 @@ fn each_field_that_is_not_as_stated_is_found() {
         let found = fields.iter().find(|of| of.field == field);
         assert!(found.is_some_and(|of| !of.holds), "{field}: {fields:#?}");
     }
-    let rows = own.rows(0, { let mut wrong = prays(); wrong.times = Some((2, 2)); wrong.judge(&view) }, &simulated);
+    let rows = own.rows(
+        0,
+        {
+            let mut wrong = prays();
+            wrong.times = Some((2, 2));
+            wrong.judge(&view)
+        },
+        &simulated,
+    );
     let experiment = StatementsExperiment::from_rows(rows, 3);
     assert!(experiment.neither == 1 && experiment.to_string().contains("Neither happened nor told:"), "{experiment}");
 }

@@ -9,11 +9,12 @@
 
 use super::defaults;
 use super::drafts::{Drafts, ItemDraft, ItemStart, Resolved};
-use super::item::Item;
+use super::item::{Follows, Item};
 use super::resident_routine::{DayParameters, InForce, ResidentRoutine};
-use super::rising::{bed, of_time, up, varied, varied_length};
+use super::rising::{bed, is_bedtime, of_time, sleeps_at, up, varied, varied_length, within_the_day};
 use crate::routine::{Activity, FallsFrom, Habit, HabitTime, Meal, PartOfDay, USUAL_SHARE};
 use homebody_core::activity::UsualLength;
+use homebody_core::fuzzy::Fuzzy;
 use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, SECOND, Span};
 
 #[derive(Clone, Debug)]
@@ -21,6 +22,10 @@ pub struct Agenda {
     pub day: i32,
     pub up: RunTime,
     pub bed: RunTime,
+    /// The activity of today that the bedtime waits for.
+    pub bed_follows: Option<Follows>,
+    /// The name of the place of the coming night's sleep, if stated.
+    pub sleeps_at: Option<String>,
     /// The next rising, as expected today.
     pub next_up: RunTime,
     /// Visits to the bathroom after rising and before bed.
@@ -50,21 +55,31 @@ impl Agenda {
         let up = up(life, day, parameters) + parameters.slept_in;
         // As if tomorrow were like today: a change that begins tomorrow does not affect tonight.
         let next_up = self::up(life, day + 1, parameters);
-        let bed = bed(life, day, parameters, up, next_up);
-        let mut planner = Planner {
-            life,
-            parameters,
-            day,
-            up,
-            bed,
-            next_up,
-            drafts: Drafts { life, day, up, bed, list: Vec::new() },
-            breaks: Vec::new(),
-            bathroom: None,
+        let mut bed = bed(life, day, parameters, up, next_up);
+        let plan = |bed| {
+            let mut planner = Planner {
+                life,
+                parameters,
+                day,
+                up,
+                bed,
+                next_up,
+                drafts: Drafts { life, day, up, bed, list: Vec::new(), bedtime: None },
+                breaks: Vec::new(),
+                bathroom: None,
+            };
+            planner.draw();
+            let Planner { drafts, breaks, bathroom, .. } = planner;
+            (drafts.resolve(), breaks, bathroom)
         };
-        planner.draw();
-        let Planner { drafts, mut breaks, bathroom, .. } = planner;
-        let Resolved { mut items, breaks: while_busy, mornings } = drafts.resolve();
+        let mut planned = plan(bed);
+        let mut bed_follows = None;
+        if let Some((bedtime, follows)) = planned.0.bedtime.take() {
+            // Once more, with the activities of the evening and the night at their times.
+            (bed, bed_follows) = (within_the_day(bedtime, up, next_up), follows);
+            planned = plan(bed);
+        }
+        let (Resolved { mut items, breaks: while_busy, mornings, .. }, mut breaks, bathroom) = planned;
         breaks.extend(while_busy);
         items.sort_by_key(|item| item.start);
         let ready = ready(life, up, &items, &mornings);
@@ -85,7 +100,9 @@ impl Agenda {
         breaks.extend(late.map(|item| Item { latest: item.start + HOUR, ..item }));
         breaks.sort_by_key(|item| item.start);
         let visits = bathroom.unwrap_or(2);
-        Agenda { day, up, bed, next_up, bathroom_first: visits > 0, bathroom_last: visits > 1, items, breaks }
+        let sleeps_at = sleeps_at(life, day).map(str::to_owned);
+        let (bathroom_first, bathroom_last) = (visits > 0, visits > 1);
+        Agenda { day, up, bed, bed_follows, sleeps_at, next_up, bathroom_first, bathroom_last, items, breaks }
     }
 }
 
@@ -166,12 +183,23 @@ impl Planner<'_> {
         let life = self.life;
         // The source of the last habit, and its start if it is done today.
         let mut before: (usize, Option<ItemStart>) = (0, None);
+        let mut totals = Vec::new();
         for in_force in life.habits(self.day) {
             let InForce { said: habit, source, .. } = in_force;
+            if habit.when.is_total {
+                totals.push(in_force);
+                continue;
+            }
             if before.0 != source {
                 before = (source, None);
             }
             if matches!(habit.activity, Activity::GetUp | Activity::GoToBed) && habit.visitor.is_none() {
+                if habit.activity == Activity::GoToBed && is_bedtime(life, self.day, &in_force) {
+                    let share = life.stream_of_day(self.day, &format!("{}/start", of_time(in_force.key, 0))).unit();
+                    let later = Span::from_seconds(self.parameters.later_s(&Activity::GoToBed));
+                    self.drafts.bedtime =
+                        relative(&habit.when.time, share, before.1.as_ref()).map(|start| (start, later));
+                }
                 before.1 = Some(ItemStart::After(habit.activity.clone(), Span::ZERO));
                 continue;
             }
@@ -179,6 +207,11 @@ impl Planner<'_> {
                 continue;
             }
             let mut count = self.count(&in_force, self.day);
+            // The meal of a preparation that has stopped is eaten at its time.
+            let is_left_out = count == 0 && matches!(habit.activity, Activity::Prepare(_)) && habit.visitor.is_none();
+            if is_left_out {
+                count = self.count_without_changes(&in_force, self.day);
+            }
             if habit.is_how_often(&Activity::UseBathroom, false)
                 && source == ResidentRoutine::OWN
                 && life.is_meant(habit, self.day)
@@ -195,10 +228,43 @@ impl Planner<'_> {
             for number in 0..count {
                 last = self.add(&in_force, Repetition { number, of: count, day: self.day }, before.1.as_ref()).or(last);
             }
+            if let (true, Some(ItemStart::Then(of))) = (is_left_out, &last) {
+                self.drafts.list[*of].is_left_out = true;
+            }
             before.1 = last;
         }
         self.draw_small_hours();
+        totals.iter().for_each(|total| self.draw_total(total));
         self.share_time_out();
+    }
+
+    /// As many repetitions as others leave of a total in its span.
+    fn draw_total(&mut self, in_force: &InForce<Habit>) {
+        let habit = in_force.said;
+        let at = |time_s: f64| self.life.instant(self.day, time_s);
+        let span = match &habit.when.time {
+            HabitTime::Within(PartOfDay::Night) => Interval::new(self.bed, self.next_up),
+            HabitTime::Within(PartOfDay::Day) => Interval::new(self.up, self.bed),
+            HabitTime::Within(part) => Interval::new(at(part.hours().0), at(part.hours().1)),
+            _ => Interval::new(self.up, self.bed),
+        };
+        let is_one = |item: &Item| item.activity == habit.activity && item.visitor.is_none();
+        let is_within = |draft: &ItemDraft| match draft.start {
+            ItemStart::Known => span.contains(draft.item.start),
+            // Others refer to activities of the day.
+            _ => span.end == self.bed,
+        };
+        let drafts = self.drafts.list.iter().filter(|draft| is_one(&draft.item) && is_within(draft)).count();
+        let breaks = self.breaks.iter().filter(|item| is_one(item) && span.contains(item.start)).count();
+        let mut count = self.count(in_force, self.day).saturating_sub((drafts + breaks) as u32);
+        if habit.is_how_often(&Activity::UseBathroom, false) {
+            // With the visits after rising and before bed.
+            self.bathroom = Some(count);
+            count = count.saturating_sub(2);
+        }
+        for number in 0..count {
+            self.add(in_force, Repetition { number, of: count, day: self.day }, None);
+        }
     }
 
     /// Distributes a change of the time out over the day's outings.
@@ -214,40 +280,55 @@ impl Planner<'_> {
     /// Tomorrow's sentences apply to the hours before tomorrow's rising.
     fn draw_small_hours(&mut self) {
         let (life, tomorrow) = (self.life, self.day + 1);
+        let mut before: (usize, Option<ItemStart>) = (0, None);
         for in_force in life.habits(tomorrow) {
             let InForce { said: habit, source, .. } = in_force;
-            let HabitTime::At(time) = &habit.when.time else { continue };
+            let last = before.1.take().filter(|_| before.0 == source);
+            let is_early = match &habit.when.time {
+                HabitTime::At(time) => life.instant(tomorrow, time.low) < self.next_up,
+                HabitTime::Then => last.is_some(),
+                _ => false,
+            };
             let is_day = matches!(habit.activity, Activity::GetUp | Activity::GoToBed) && habit.visitor.is_none();
-            if is_day || source == ResidentRoutine::UNSAID || life.instant(tomorrow, time.low) >= self.next_up {
+            if is_day || source == ResidentRoutine::UNSAID || !is_early {
                 continue;
             }
             let count = self.count(&in_force, tomorrow);
             for number in 0..count {
-                self.add(&in_force, Repetition { number, of: count, day: tomorrow }, None);
+                let repetition = Repetition { number, of: count, day: tomorrow };
+                before = (source, self.add(&in_force, repetition, last.as_ref()).or(before.1));
             }
         }
     }
 
     /// Number of repetitions on a day.
     fn count(&self, in_force: &InForce<Habit>, day: i32) -> u32 {
+        let habit = in_force.said;
+        let within = habit.when.part();
+        // A skipped meal is not prepared either.
+        let meal = habit.activity.of_same_meal().filter(|_| matches!(habit.activity, Activity::Prepare(_)));
+        let is_skipped = |activity: &Activity| {
+            let skip = self.life.stream_of_day(day, &format!("skip/{}", activity.label())).unit();
+            skip < self.parameters.skips(activity)
+        };
+        if is_skipped(&habit.activity) || meal.is_some_and(|meal| is_skipped(&meal)) {
+            return 0;
+        }
+        self.count_at(in_force, day, self.parameters.oftener(&habit.activity, within))
+    }
+
+    fn count_without_changes(&self, in_force: &InForce<Habit>, day: i32) -> u32 {
+        self.count_at(in_force, day, 1.0)
+    }
+
+    fn count_at(&self, in_force: &InForce<Habit>, day: i32, oftener: f64) -> u32 {
         let InForce { said: habit, strength, key, .. } = *in_force;
         if !self.life.is_on(&habit.when.days, day) {
             return 0;
         }
         let key = of_time(key, 0);
         let share = |purpose: &str| self.life.stream_of_day(day, &format!("{key}/{purpose}")).unit();
-        let within = match habit.when.time {
-            HabitTime::Within(part) => Some(part),
-            _ => None,
-        };
         let chance = self.life.chance(habit, strength, day);
-        let oftener = self.parameters.oftener(&habit.activity, within);
-        // A skipped meal is not prepared either.
-        let skipped = match habit.activity {
-            Activity::Prepare(meal) => Activity::Eat(meal),
-            ref activity => activity.clone(),
-        };
-        let skip = self.life.stream_of_day(day, &format!("skip/{}", skipped.label())).unit();
         if let Some(days) = habit.when.chance.days_a_week
             && !self.is_one_of(habit, &key, days, day)
         {
@@ -258,7 +339,7 @@ impl Planner<'_> {
         } else {
             chance
         };
-        if share("whether") >= (chance * oftener.min(1.0)).min(1.0) || skip < self.parameters.skips(&skipped) {
+        if share("whether") >= (chance * oftener.min(1.0)).min(1.0) {
             return 0;
         }
         let (least, most) = habit.when.times;
@@ -339,16 +420,7 @@ impl Planner<'_> {
                     (self.any_time(habit, share), ItemStart::Known)
                 }
             },
-            HabitTime::After(activity, gap) => (
-                RunTime::START,
-                ItemStart::After(activity.clone(), Span::from_seconds(gap.map_or(0.0, |gap| gap.at(own)))),
-            ),
-            HabitTime::Before(activity, gap) => (
-                RunTime::START,
-                ItemStart::Before(activity.clone(), Span::from_seconds(gap.map_or(0.0, |gap| gap.at(own)))),
-            ),
-            HabitTime::With(activity) => (RunTime::START, ItemStart::With(activity.clone())),
-            HabitTime::Then => (RunTime::START, before?.clone()),
+            relative_time => (RunTime::START, relative(relative_time, own, before)?),
         };
         let (start, known) = match known {
             ItemStart::At(start) => (start, ItemStart::Known),
@@ -397,7 +469,8 @@ impl Planner<'_> {
             self.breaks.push(Item { latest: latest.max(start + HOUR), ..item });
             return Some(ItemStart::At(start + lasts));
         }
-        self.drafts.list.push(ItemDraft { item, start: known });
+        let later = Span::from_seconds(parameters.later_s(&item.activity));
+        self.drafts.list.push(ItemDraft { item, start: known, later, is_left_out: false });
         Some(ItemStart::Then(self.drafts.list.len() - 1))
     }
 
@@ -475,6 +548,18 @@ impl Planner<'_> {
         let place = f64::from(time.number) / f64::from(time.of - 1) + (own - 0.5) * 0.3 / f64::from(time.of);
         (from + (to - from).max(Span::ZERO).share(place.clamp(0.0, 1.0)), ItemStart::Known)
     }
+}
+
+/// The start of a habit that refers to another activity, or to the habit before it.
+fn relative(when: &HabitTime, share: f64, before: Option<&ItemStart>) -> Option<ItemStart> {
+    let gap = |gap: &Option<Fuzzy>| Span::from_seconds(gap.map_or(0.0, |gap| gap.at(share)));
+    Some(match when {
+        HabitTime::After(activity, by) => ItemStart::After(activity.clone(), gap(by)),
+        HabitTime::Before(activity, by) => ItemStart::Before(activity.clone(), gap(by)),
+        HabitTime::With(activity) => ItemStart::With(activity.clone()),
+        HabitTime::Then => before?.clone(),
+        HabitTime::AnyTime | HabitTime::At(_) | HabitTime::Within(_) => return None,
+    })
 }
 
 impl Activity {

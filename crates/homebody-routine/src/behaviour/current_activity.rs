@@ -2,7 +2,7 @@
 
 use super::places::HomePlace;
 use super::resident_routine::SentenceId;
-use super::script::{ActivityStep, StayStep};
+use super::script::{ActivityStep, Interruptible, StayStep};
 use crate::routine::Response;
 use homebody_core::random::Stream;
 use homebody_core::time::RunTime;
@@ -33,6 +33,12 @@ pub(super) struct Playing {
 }
 
 impl Playing {
+    /// By needs, meals and breaks of the plan.
+    pub(super) fn may_be_interrupted(&self) -> bool {
+        let may = |stay: &StayStep| matches!(stay.may, Interruptible::Interrupt | Interruptible::Yield);
+        matches!(self.steps.front(), Some(ActivityStep::Stay(stay)) if may(stay))
+    }
+
     /// Only an expired stay is left, which is not resumed.
     pub(super) fn is_nearly_over(&self, now: RunTime) -> bool {
         let is_over = |stay: &StayStep| stay.until.is_some_and(|until| until <= now);

@@ -1,7 +1,7 @@
 //! The activities of a day before their times are settled, some relative to others: before, after, with.
 
 use super::defaults;
-use super::item::Item;
+use super::item::{Following, Follows, Item};
 use super::resident_routine::ResidentRoutine;
 use crate::routine::{Activity, Meal};
 use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, Span};
@@ -13,6 +13,10 @@ const HOUR_S: f64 = 3600.0;
 pub struct ItemDraft {
     pub item: Item,
     pub start: ItemStart,
+    /// Delay of a relative start by changes.
+    pub later: Span,
+    /// Not done, but others keep their time after it: a meal that is no longer prepared is still eaten.
+    pub is_left_out: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +36,8 @@ pub struct Drafts<'a> {
     pub up: RunTime,
     pub bed: RunTime,
     pub list: Vec<ItemDraft>,
+    /// A bedtime relative to an activity, and its delay by changes.
+    pub bedtime: Option<(ItemStart, Span)>,
 }
 
 pub struct Resolved {
@@ -40,6 +46,8 @@ pub struct Resolved {
     pub breaks: Vec<Item>,
     /// Keys of the activities after rising, such as washing and dressing.
     pub mornings: Vec<String>,
+    /// A bedtime relative to an activity of the day.
+    pub bedtime: Option<(RunTime, Option<Follows>)>,
 }
 
 /// Longest time that cooking takes in addition, for the ways between stove, sink and fridge (our choice).
@@ -53,12 +61,15 @@ const WELCOMED: Span = MINUTE.times(3);
 
 impl Drafts<'_> {
     pub fn resolve(mut self) -> Resolved {
+        self.leave_uneaten_meals();
         self.tie();
         self.resolve_starts(&|_| false);
         self.come_home();
         self.cook_before_eating();
         // Activities relative to a meal move with it.
         self.resolve_starts(&|activity| matches!(activity, Activity::Prepare(_) | Activity::Eat(_)));
+        let bedtime = self.bedtime();
+        self.list.retain(|draft| !draft.is_left_out);
         let mornings = self.list.iter().filter(|draft| matches!(draft.start, ItemStart::After(Activity::GetUp, _)));
         let mornings = mornings.map(|draft| draft.item.key.clone()).collect();
         let is_done = |activity: &Activity| self.list.iter().any(|draft| draft.item.activity == *activity);
@@ -82,30 +93,50 @@ impl Drafts<'_> {
         });
         let breaks = helped.chain(while_cooking).collect();
         let items = self.list.iter().filter(|draft| !is_idle(draft) && !is_helped(draft) && !breaks_in(draft));
-        Resolved { breaks, items: items.map(|draft| draft.item.clone()).collect(), mornings }
+        Resolved { breaks, items: items.map(|draft| draft.item.clone()).collect(), mornings, bedtime }
     }
 
-    /// An activity with or after another inherits its firmness, and later ones wait for its end.
+    /// A meal that is not eaten today is not prepared.
+    fn leave_uneaten_meals(&mut self) {
+        for meal in Meal::ALL {
+            let is_own =
+                |draft: &ItemDraft, activity: Activity| draft.item.activity == activity && draft.item.visitor.is_none();
+            if !self.list.iter().any(|draft| is_own(draft, Activity::Eat(meal))) {
+                let cooking = self.list.iter_mut().filter(|draft| is_own(draft, Activity::Prepare(meal)));
+                cooking.for_each(|draft| draft.is_left_out = true);
+            }
+        }
+    }
+
+    /// An activity with or after another inherits its firmness, and later ones wait for it.
     fn tie(&mut self) {
         for index in 0..self.list.len() {
-            let gap = match self.list[index].start {
-                ItemStart::After(_, gap) => Some(gap),
-                ItemStart::Then(_) => Some(Span::ZERO),
+            let Some(anchor) = self.anchor(index) else { continue };
+            let Item { of, ref activity, .. } = self.list[anchor].item;
+            let cooked = match *activity {
+                Activity::Eat(meal) => Some(Activity::Prepare(meal)),
                 _ => None,
             };
-            let Some(anchor) = self.anchor(index) else { continue };
-            let is_before = matches!(self.list[index].start, ItemStart::Before(..));
-            let of = self.list[anchor].item.of;
-            if !self.list[index].item.is_unsaid && !is_before {
-                let cooked = match self.list[anchor].item.activity {
-                    Activity::Eat(meal) => Some(Activity::Prepare(meal)),
-                    _ => None,
-                };
+            let is_same_meal = activity.of_same_meal().as_ref() == Some(&self.list[index].item.activity);
+            let draft = &mut self.list[index];
+            // A change of a meal has moved its preparation.
+            draft.later = if is_same_meal { Span::ZERO } else { draft.later };
+            let later = draft.later;
+            let how = match &draft.start {
+                ItemStart::After(_, gap) => Some(Following::After(*gap + later)),
+                ItemStart::Then(_) => Some(Following::After(later)),
+                ItemStart::With(_) if later == Span::ZERO => Some(Following::With),
+                _ => None,
+            };
+            let how = how.filter(|how| !matches!(how, Following::After(gap) if *gap < Span::ZERO));
+            let is_before = matches!(draft.start, ItemStart::Before(..));
+            if !draft.item.is_unsaid && !is_before {
                 let is_for_it = |item: &Item| item.of == of || Some(&item.activity) == cooked.as_ref();
                 let firm = self.list.iter_mut().map(|draft| &mut draft.item).filter(|item| is_for_it(item));
                 firm.for_each(|item| item.waits = false);
             }
-            self.list[index].item.follows = of.zip(gap);
+            let follows = of.zip(how).map(|(of, how)| Follows { of, how });
+            self.list[index].item.follows = follows.filter(|_| !self.list[anchor].is_left_out);
         }
     }
 
@@ -144,29 +175,68 @@ impl Drafts<'_> {
         }
     }
 
-    /// A meal is prepared before it is eaten; of the two, the unstated one moves.
+    /// A meal is prepared before it is eaten, and eaten soon after; of the two, the unstated one moves.
     fn cook_before_eating(&mut self) {
         for meal in Meal::ALL {
             let of = |activity: Activity| {
                 self.list.iter().position(|draft| draft.item.activity == activity && draft.item.visitor.is_none())
             };
             let (Some(cook), Some(eat)) = (of(Activity::Prepare(meal)), of(Activity::Eat(meal))) else { continue };
+            if self.list[cook].is_left_out {
+                continue;
+            }
             let (cooking, eating) = (self.list[cook].item.clone(), self.list[eat].item.clone());
             let ready = cooking.start + cooking.lasts;
+            let just_before = (eating.start - cooking.lasts - TO_AND_FRO).max(self.up);
             if cooking.is_unsaid && !eating.is_unsaid {
-                let start = (eating.start - cooking.lasts - TO_AND_FRO).max(self.up);
                 let item = &mut self.list[cook].item;
-                (item.start, item.latest, item.is_unsaid, item.waits) = (start, eating.latest, false, false);
-                let late = start + cooking.lasts + TO_AND_FRO - eating.start;
+                (item.start, item.latest, item.is_unsaid, item.waits) = (just_before, eating.latest, false, false);
+                let late = just_before + cooking.lasts + TO_AND_FRO - eating.start;
                 if late > Span::ZERO {
                     self.list[eat].item.start += late;
                 }
-            } else if eating.start < ready && eating.is_unsaid {
+            } else if eating.is_unsaid && (eating.start < ready || !cooking.is_unsaid) {
                 let item = &mut self.list[eat].item;
                 item.latest += ready - item.start;
                 (item.start, item.is_unsaid, item.waits) = (ready, cooking.is_unsaid, cooking.waits);
+            } else if cooking.is_unsaid && ready < just_before {
+                let item = &mut self.list[cook].item;
+                (item.start, item.latest) = (just_before, item.latest + (just_before - item.start));
             }
+            let how = if eating.is_unsaid { Following::After(Span::ZERO) } else { Following::NotBefore };
+            let follows = cooking.of.map(|of| Follows { of, how });
+            let item = &mut self.list[eat].item;
+            item.follows = item.follows.or(follows);
         }
+    }
+
+    fn is_prepared(&self, meal: Meal) -> bool {
+        let is_cooking = |draft: &ItemDraft| {
+            draft.item.activity == Activity::Prepare(meal) && draft.item.visitor.is_none() && !draft.is_left_out
+        };
+        self.list.iter().any(is_cooking)
+    }
+
+    /// The bedtime relative to the last time that its activity is done today; `None` if that is not done.
+    fn bedtime(&self) -> Option<(RunTime, Option<Follows>)> {
+        let (start, later) = self.bedtime.as_ref()?;
+        let last = |wanted: &Activity| {
+            let of = if *wanted == Activity::ComeHome { &Activity::Leave } else { wanted };
+            let done = self.list.iter().filter(|draft| draft.item.activity == *of && !draft.is_left_out);
+            done.max_by_key(|draft| draft.item.start)
+        };
+        let end = |item: &Item| item.until.unwrap_or(item.start + item.lasts);
+        let (anchor, gap) = match start {
+            ItemStart::At(at) => return Some((*at + *later, None)),
+            ItemStart::After(Activity::GetUp, gap) => return Some((self.up + *gap + *later, None)),
+            ItemStart::After(activity, gap) => (last(activity)?, *gap + *later),
+            ItemStart::Then(index) => (&self.list[*index], *later),
+            ItemStart::Before(activity, gap) => return Some((last(activity)?.item.start - *gap + *later, None)),
+            ItemStart::With(activity) => return Some((last(activity)?.item.start + *later, None)),
+            ItemStart::Known => return None,
+        };
+        let follows = anchor.item.of.filter(|_| gap >= Span::ZERO).map(|of| Follows { of, how: Following::After(gap) });
+        Some((end(&anchor.item) + gap, follows))
     }
 
     /// A short activity shortly before a meal falls into the cooking.
@@ -203,18 +273,28 @@ impl Drafts<'_> {
 
     /// The start of a draft whose reference is settled. With `at_last`, an unsettled reference is guessed.
     fn start_of(&self, index: usize, known: &[bool], at_last: bool) -> Option<RunTime> {
-        let ItemDraft { item, start } = &self.list[index];
+        let ItemDraft { item, start, later, .. } = &self.list[index];
         let span = |activity: &Activity| self.span_of(activity, known, at_last);
         match start {
             ItemStart::Known => Some(item.start),
             ItemStart::At(start) => Some(*start),
-            ItemStart::After(activity, gap) => Some(span(activity)?.end + *gap),
-            ItemStart::Before(activity, gap) => Some(span(activity)?.begin - *gap - item.lasts),
+            ItemStart::After(activity, gap) => Some(span(activity)?.end + *gap + *later),
+            ItemStart::Before(activity, gap) => {
+                let begin = span(activity)?.begin - *gap;
+                // Food does not wait for an activity before the meal.
+                let cooked = match activity {
+                    Activity::Eat(meal) if item.lasts > SOON_DONE && self.is_prepared(*meal) => {
+                        span(&Activity::Prepare(*meal))?.begin.min(begin)
+                    }
+                    _ => begin,
+                };
+                Some(cooked - item.lasts + *later)
+            }
             // One microsecond before, so that it comes first.
-            ItemStart::With(activity) => Some(span(activity)?.begin - Span::MICROSECOND),
+            ItemStart::With(activity) => Some(span(activity)?.begin - Span::MICROSECOND + *later),
             ItemStart::Then(of) => {
                 let of_item = &self.list[*of].item;
-                known[*of].then_some(of_item.start + of_item.lasts)
+                known[*of].then_some(of_item.start + of_item.lasts + *later)
             }
         }
     }

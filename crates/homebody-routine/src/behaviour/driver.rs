@@ -36,7 +36,11 @@ use std::sync::Arc;
 pub struct RoutineDriver {
     pub(super) life: Arc<ResidentRoutine>,
     pub(super) home: Arc<Home>,
+    /// With tonight's place of sleep as the bed.
     pub(super) places: Arc<HomePlaces>,
+    usual_places: Arc<HomePlaces>,
+    /// The name of that place, if stated.
+    asleep_at: Option<String>,
     pub(super) body: WalkingBody,
     pub(super) parameters: DayParameters,
     pub(super) agenda: Agenda,
@@ -72,6 +76,8 @@ pub struct RoutineDriver {
     pub(super) now: RunTime,
     /// End of the last meal or medicine: activities right after it are not delayed.
     pub(super) at_table: RunTime,
+    /// Key of the meal that has just been cooked.
+    pub(super) served: Option<String>,
     /// The start of the day's hours.
     pub(super) midnight: RunTime,
     /// The name of a visitor; `None` for a resident.
@@ -109,6 +115,9 @@ impl RoutineDriver {
         let agenda = if today.up > RunTime::START { Agenda::new(&life, -1, &life.parameters(-1)) } else { today };
         let role = if in_bed { Role::Bed } else { Role::Armchair };
         let rank = host.0;
+        let usual_places = places;
+        let (places, asleep_at) =
+            (places_of_night(&usual_places, agenda.sleeps_at.as_deref()), agenda.sleeps_at.clone());
         if let Some(spot) = places.for_role(role) {
             let at = spot.sides_for(rank as usize, company.shares_home()).next().unwrap_or(spot.at);
             let spot = HomePlace { at, ..spot.clone() };
@@ -148,11 +157,14 @@ impl RoutineDriver {
             slept_in: Span::ZERO,
             now: RunTime::START,
             at_table: RunTime::MIN,
+            served: None,
             needs,
             agenda,
             parameters,
             body,
             places,
+            usual_places,
+            asleep_at,
             home,
             life,
         };
@@ -202,7 +214,8 @@ impl RoutineDriver {
         loop {
             self.make_way(now);
             if let Some(next) = self.ready.front() {
-                if matches!(next, Next::Segment(_) | Next::Use(_)) && self.told != self.name {
+                // Only what takes time is reported, so no activity has zero length.
+                if matches!(next, Next::Segment(_)) && self.told != self.name {
                     self.told.clone_from(&self.name);
                     return Next::Activity((!self.name.is_empty()).then(|| self.name.clone()));
                 }
@@ -220,8 +233,12 @@ impl RoutineDriver {
                 }
                 continue;
             };
-            if playing.is_interrupted && self.essential().is_some_and(|(_, due)| due <= now) {
-                // Between cooking and eating, the interrupted activity does not continue.
+            let is_next = playing.is_interrupted && {
+                let is_open = playing.may_be_interrupted();
+                self.essential().is_some_and(|(_, due)| due <= now) || is_open && self.next_break_at(now) <= now
+            };
+            if is_next {
+                // Between cooking and eating, or two deeds of a night, the interrupted activity does not continue.
                 self.interrupt(now);
                 continue;
             }
@@ -272,7 +289,7 @@ impl RoutineDriver {
             }
             // The host cleans up after a stay.
             if self.visitor.is_none() {
-                self.let_follow(over.of, now);
+                self.let_follow(over.of, &over.label, now);
             }
         }
         self.watches.leave_behind();
@@ -516,7 +533,9 @@ impl RoutineDriver {
         while self.agenda.items.get(self.next_item).is_some_and(is_past) {
             self.next_item += 1;
         }
+        self.wait_for_others(now);
         self.prefer_stated(now);
+        self.serve(now);
         let next = self.agenda.items.get(self.next_item).cloned();
         if now >= self.agenda.bed && next.as_ref().is_none_or(|item| !item.can_wait_for_bed(self.agenda.bed)) {
             return self.go_to_bed(now);
@@ -531,6 +550,14 @@ impl RoutineDriver {
         }
     }
 
+    /// Tonight's place of sleep serves as the bed.
+    pub(super) fn choose_bed(&mut self) {
+        if self.asleep_at != self.agenda.sleeps_at {
+            self.asleep_at.clone_from(&self.agenda.sleeps_at);
+            self.places = places_of_night(&self.usual_places, self.asleep_at.as_deref());
+        }
+    }
+
     /// In hours.
     pub(super) fn hour(&self, now: RunTime) -> f64 {
         (now - self.midnight).rem_euclid(DAY).ratio(HOUR)
@@ -541,6 +568,11 @@ impl RoutineDriver {
         self.ready.push_back(Next::Need(need, before));
         self.ready.push_back(Next::Need(need, 0.0));
     }
+}
+
+/// The places of the home with a stated place of sleep as the bed.
+fn places_of_night(usual: &Arc<HomePlaces>, asleep_at: Option<&str>) -> Arc<HomePlaces> {
+    asleep_at.map_or_else(|| usual.clone(), |name| Arc::new(HomePlaces::clone(usual).sleeping_at(name)))
 }
 
 /// Longest visit without a meal of the host alone (our choice).

@@ -4,10 +4,15 @@ use super::defaults;
 use super::drafts::SOON_DONE;
 use super::driver::{GRACE, RoutineDriver};
 use super::item::Item;
-use super::script::ActivityStep;
+use super::manner::Manner;
+use super::script::{ActivityStep, Interruptible, StayStep};
 use crate::routine::{Activity, Response};
 use homebody_core::activity::{self, ActivityKind, UsualLength};
-use homebody_core::time::{RunTime, Span};
+use homebody_core::posture::Posture;
+use homebody_core::time::{RunTime, SECOND, Span};
+
+/// Time that turning a thing on or off takes at its place (our choice).
+const TURNING: Span = SECOND.times(2);
 
 impl RoutineDriver {
     /// When a rule is due that stands before the one being answered.
@@ -64,7 +69,8 @@ impl RoutineDriver {
             return None;
         }
         let items = self.agenda.items.iter().enumerate().skip(self.next_item);
-        let mut essential = items.filter(|(_, item)| item.is_essential());
+        let now = self.now;
+        let mut essential = items.filter(|(_, item)| item.is_essential() && self.may_begin(item, now));
         let (index, item) = essential.next()?;
         // Medicine with a time is not delayed by unstated activities.
         let end = item.start + item.lasts;
@@ -166,6 +172,13 @@ impl RoutineDriver {
                     playing.steps.truncate(1);
                     playing.steps.extend(at.map(ActivityStep::Go));
                     playing.steps.push_back(ActivityStep::Act(index, on));
+                    playing.steps.push_back(ActivityStep::Stay(StayStep {
+                        posture: Posture::Standing,
+                        manner: Manner::BUSY,
+                        left: TURNING,
+                        until: None,
+                        may: Interruptible::Nothing,
+                    }));
                 }
             }
             Response::Do { activity, place, lasts } => {

@@ -32,8 +32,24 @@ pub struct Item {
     pub has_its_time: bool,
     /// A stated number per day, whatever else is done; at home if possible.
     pub is_counted: bool,
-    /// The preceding sentence, and the delay after its end.
-    pub follows: Option<(SentenceId, Span)>,
+    pub follows: Option<Follows>,
+}
+
+/// The activity that another waits for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Follows {
+    pub of: SentenceId,
+    pub how: Following,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Following {
+    /// This long after its end.
+    After(Span),
+    /// At its own time, but not before the end of the other.
+    NotBefore,
+    /// As the other begins.
+    With,
 }
 
 impl Item {

@@ -104,6 +104,9 @@ fn habit_key(habit: &Habit) -> String {
     if habit.when.times != (1, 1) {
         text += &format!(" times {} {}", habit.when.times.0, habit.when.times.1);
     }
+    if habit.when.is_total {
+        text += " in all";
+    }
     text + phase_key(&habit.when.phase).as_str()
 }
 

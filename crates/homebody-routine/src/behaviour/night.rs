@@ -164,6 +164,7 @@ impl RoutineDriver {
         self.parameters = self.life.parameters(day);
         self.parameters.slept_in = if day == self.agenda.day + 1 { self.slept_in } else { Span::ZERO };
         self.agenda = Agenda::new(&self.life, day, &self.parameters);
+        self.choose_bed();
         self.midnight = self.life.midnight(day);
         self.next_item = if was_away { self.agenda.items.partition_point(|item| item.start < now) } else { 0 };
         self.first_item = self.next_item;

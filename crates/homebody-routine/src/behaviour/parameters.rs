@@ -159,9 +159,10 @@ impl DayParameters {
         factors.product::<f64>().min(self.most_movement)
     }
 
-    /// Delay in seconds.
+    /// Delay in seconds. A meal and its preparation move together.
     pub fn later_s(&self, activity: &Activity) -> f64 {
-        self.later_s.get(activity).copied().unwrap_or(0.0)
+        let of = |activity: &Activity| self.later_s.get(activity).copied();
+        of(activity).or_else(|| of(&activity.of_same_meal()?)).unwrap_or(0.0)
     }
 
     /// Duration of an activity of `seconds`; for outings without `longer_s`.

@@ -206,6 +206,22 @@ impl ResidentRoutine {
             said.stands_for(usual)
                 && self.phase(&said.when.phase, day) > 0.0
                 && (!said.is_of_every_day() || self.is_on(&said.when.days, day))
+        }) || self.has_ended(&usual.activity, day)
+    }
+
+    /// Whether a sentence said an activity of choice from the first day on until a day that is past: nothing replaces it.
+    /// Meals, washing and housework, which all people do, come back as usual.
+    pub fn has_ended(&self, activity: &Activity, day: i32) -> bool {
+        let own = &self.sources[ResidentRoutine::OWN].routine.habits;
+        let is_past = |phase: &Phase| {
+            let until = phase.until.map(|until| self.day_of(until));
+            phase.from.is_none() && until.is_some_and(|until| until <= day) && self.phase(phase, day) == 0.0
+        };
+        let is_of_choice = |habit: &Habit| {
+            !habit.is_of_every_day() && !matches!(activity, Activity::Shower | Activity::WashUp | Activity::Laundry)
+        };
+        own.iter().any(|habit| {
+            habit.activity == *activity && habit.visitor.is_none() && is_of_choice(habit) && is_past(&habit.when.phase)
         })
     }
 

@@ -67,10 +67,12 @@ impl RoutineDriver {
         room.as_ref() == Some(&place) || self.body.spot().is_some_and(|spot| spot.name == place)
     }
 
-    /// The rest of a movement that was cut, unless a rule interrupts it.
+    /// The rest of a movement that was cut, unless a rule interrupts it. A movement that others wait behind, such as rising
+    /// before a walk, is finished: they begin where it ends.
     pub(super) fn held_back(&mut self, now: RunTime) -> Option<Next> {
         let rest = self.sight.rest.take()?;
-        let is_due = self.rules_at() <= now && !matches!(rest.doing, MotionState::Stride { .. });
+        let is_last = self.ready.is_empty() && !matches!(rest.doing, MotionState::Stride { .. });
+        let is_due = is_last && self.rules_at() <= now;
         let step = self.scripts.last_mut().and_then(|playing| playing.steps.front_mut());
         if let Some(ActivityStep::Stay(stay)) = step
             && is_due

@@ -10,7 +10,7 @@ use homebody_core::numbers::{Number, Numbers};
 use homebody_core::posture::Posture;
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
-use homebody_core::time::{MINUTE, RunTime, SECOND, Span};
+use homebody_core::time::{HOUR, MINUTE, RunTime, SECOND, Span};
 
 /// Activities with relative frequency and minutes: set so that the hours of a day come near those of people of 75 and more
 /// (American Time Use Survey); housework stands for the small errands of `chores.rs`, for which people of that age rise
@@ -87,7 +87,7 @@ impl RoutineDriver {
         let key = format!("{FILLS}{}", self.times(&Activity::Relax));
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
         let errands = self.errands_at(now);
-        let (activity, minutes) = &self.filler(now, errands, &mut stream);
+        let (activity, minutes, share) = &self.filler(now, errands, &mut stream);
         if gap < 3 * MINUTE {
             let posture = self.body.posture();
             let stay = StayStep {
@@ -103,7 +103,7 @@ impl RoutineDriver {
         let lasts_s = stream.lognormal(minutes * 60.0, self.life.numbers.of(&SPREAD));
         // More errands leave less sitting time between them.
         let lasts_s = if *activity == Activity::Housework { lasts_s } else { lasts_s / errands.max(1.0) };
-        let lasts = Span::from_seconds(self.parameters.lasting_s(activity, lasts_s).max(20.0)).min(gap);
+        let lasts = Span::from_seconds((lasts_s * self.longer(activity, *share)).max(20.0)).min(gap);
         self.begin(&Item::now(key, activity.clone(), lasts));
         for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
             if let ActivityStep::Stay(stay) = step
@@ -128,9 +128,25 @@ impl RoutineDriver {
         if often < 1.0 { times.min(often) } else { times * often }
     }
 
-    /// An activity for now, and its median length in minutes. A less frequent activity is drawn as often, and then
+    /// Factor on the length of an activity of spare time whose share of that time changes by what is said: the others have
+    /// less of it.
+    fn longer(&self, activity: &Activity, share: f64) -> f64 {
+        /// Largest share of spare time of one activity (our choice).
+        const MOST_OF_IT: f64 = 0.95;
+        let planned = self.agenda.items.iter().filter(|item| item.visitor.is_none()).map(|item| item.lasts);
+        let spare_s = (self.agenda.bed - self.agenda.up - planned.sum::<Span>()).max(HOUR).seconds();
+        let longer = self.parameters.longer.get(activity).copied().unwrap_or(1.0);
+        let changed = share * longer + self.parameters.longer_s(activity) / spare_s;
+        if changed == share || share <= 0.0 || share >= MOST_OF_IT {
+            return 1.0;
+        }
+        let changed = changed.clamp(0.0, MOST_OF_IT);
+        changed * (1.0 - share) / ((1.0 - changed) * share)
+    }
+
+    /// An activity for now, its median length in minutes, and its usual share of spare time. A less frequent activity is drawn as often, and then
     /// replaced.
-    fn filler(&mut self, now: RunTime, errands: f64, stream: &mut Stream) -> (Activity, f64) {
+    fn filler(&mut self, now: RunTime, errands: f64, stream: &mut Stream) -> (Activity, f64, f64) {
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
         let (rising, again) = (self.life.numbers.of(&RISES), self.life.numbers.of(&AGAIN));
         for (activity, weight, minutes) in self::fillers(&self.life.numbers) {
@@ -142,6 +158,9 @@ impl RoutineDriver {
                 fillers.push((activity, minutes));
             }
         }
+        let whole_min: f64 = weights.iter().zip(&fillers).map(|(weight, (_, minutes))| weight * minutes).sum();
+        let shares: Vec<f64> =
+            weights.iter().zip(&fillers).map(|(weight, (_, minutes))| weight * minutes / whole_min).collect();
         if let Some(errand) = fillers.iter().position(|(activity, _)| *activity == Activity::Housework) {
             let more = self.parameters.oftener(&Activity::Housework, None).max(1.0);
             let others = weights.iter().sum::<f64>() - weights[errand];
@@ -162,7 +181,7 @@ impl RoutineDriver {
                 other => self.parameters.oftener(other, None),
             };
             if often >= 1.0 || weights.len() == 1 || stream.chance(often) {
-                return (activity, instead_of.unwrap_or(minutes));
+                return (activity, instead_of.unwrap_or(minutes), shares[drawn]);
             }
             if activity != Activity::Housework {
                 // The replacement takes as long, so that other activities do not become more frequent.
@@ -173,7 +192,7 @@ impl RoutineDriver {
             }
             weights[drawn] = 0.0;
             if weights.iter().all(|weight| *weight <= 0.0) {
-                return (Activity::Relax, instead_of.unwrap_or(minutes));
+                return (Activity::Relax, instead_of.unwrap_or(minutes), shares[drawn]);
             }
         }
     }
@@ -185,6 +204,9 @@ impl RoutineDriver {
             return false;
         }
         let (day, hour_s) = (self.agenda.day, self.hour(now) * 3600.0);
+        if self.life.has_ended(activity, day) {
+            return true;
+        }
         self.life.habits(day).any(|InForce { said: habit, .. }| {
             let is_it = habit.activity == *activity && habit.visitor.is_none() && self.life.is_meant(habit, day);
             is_it

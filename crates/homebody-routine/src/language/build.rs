@@ -228,6 +228,7 @@ fn habit(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: Clause) 
             lasts,
             until,
             times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
+            is_total: false,
         },
         falling: match clause.predicate {
             Predicate::Falls(falling) => Some(falling),

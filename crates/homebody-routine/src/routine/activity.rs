@@ -133,6 +133,15 @@ impl Activity {
         self.row().and_then(|row| row.usual).unwrap_or(OWN)
     }
 
+    /// The meal of a preparation, and the preparation of a meal.
+    pub(crate) fn of_same_meal(&self) -> Option<Activity> {
+        match self {
+            Activity::Prepare(meal) => Some(Activity::Eat(*meal)),
+            Activity::Eat(meal) => Some(Activity::Prepare(*meal)),
+            _ => None,
+        }
+    }
+
     /// In seconds since midnight.
     pub(crate) fn usual_clock(&self) -> Option<Fuzzy> {
         let UsualClock { around_h, spread_min } = self.row()?.clock?;

@@ -8,6 +8,7 @@ use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, HOUR, Interval, RunTime, Span};
 use homebody_routine::household::Household;
+use homebody_routine::routine::Routine;
 use std::collections::BTreeMap;
 
 pub const ORDINARY: &str = include_str!("../../../../scenarios/tigerplace/margaret.routine");
@@ -91,10 +92,18 @@ pub struct Simulated {
 
 impl Simulated {
     pub fn new(routine: &str, days: i64) -> Simulated {
+        Simulated::of_changed(routine, days, |_| {})
+    }
+
+    /// With values that no sentence gives.
+    pub fn of_changed(routine: &str, days: i64, change: impl FnOnce(&mut Routine)) -> Simulated {
         let mut files = files(routine, &[]);
         let scenario = files["scenario.json"].replace("America/Chicago", "UTC").replace("2009-03-02", "2009-01-05");
         files.insert("scenario.json".into(), scenario);
         let (scenario, household) = household(&files, &[]).unwrap_or_else(|problems| panic!("{problems}"));
+        let mut routine = household.routine(0).cloned().unwrap();
+        change(&mut routine);
+        let household = household.with_routine(0, routine);
         let events = events(Run::new(&scenario, &household, 11, days * DAY), DAY);
         let activities = activities(&events, 0, days * DAY);
         Simulated { days, events, activities, places: scenario.home.plan().places.clone() }
