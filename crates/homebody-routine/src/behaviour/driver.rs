@@ -12,6 +12,7 @@ use super::errands::Errands;
 use super::item::Item;
 use super::manner::Manner;
 use super::needs::BodilyNeeds;
+use super::night::places_of_night;
 use super::places::{HomePlace, HomePlaces};
 use super::resident_routine::{DayParameters, ResidentRoutine};
 use super::script::{ActivitySetting, ActivityStep, Interruptible, STAYING_OVER, script};
@@ -38,9 +39,7 @@ pub struct RoutineDriver {
     pub(super) home: Arc<Home>,
     /// With tonight's place of sleep as the bed.
     pub(super) places: Arc<HomePlaces>,
-    usual_places: Arc<HomePlaces>,
-    /// The name of that place, if stated.
-    asleep_at: Option<String>,
+    pub(super) usual_places: Arc<HomePlaces>,
     pub(super) body: WalkingBody,
     pub(super) parameters: DayParameters,
     pub(super) agenda: Agenda,
@@ -116,8 +115,7 @@ impl RoutineDriver {
         let role = if in_bed { Role::Bed } else { Role::Armchair };
         let rank = host.0;
         let usual_places = places;
-        let (places, asleep_at) =
-            (places_of_night(&usual_places, agenda.sleeps_at.as_deref()), agenda.sleeps_at.clone());
+        let places = places_of_night(&usual_places, agenda.sleeps_at.as_deref());
         if let Some(spot) = places.for_role(role) {
             let at = spot.sides_for(rank as usize, company.shares_home()).next().unwrap_or(spot.at);
             let spot = HomePlace { at, ..spot.clone() };
@@ -164,7 +162,6 @@ impl RoutineDriver {
             body,
             places,
             usual_places,
-            asleep_at,
             home,
             life,
         };
@@ -550,14 +547,6 @@ impl RoutineDriver {
         }
     }
 
-    /// Tonight's place of sleep serves as the bed.
-    pub(super) fn choose_bed(&mut self) {
-        if self.asleep_at != self.agenda.sleeps_at {
-            self.asleep_at.clone_from(&self.agenda.sleeps_at);
-            self.places = places_of_night(&self.usual_places, self.asleep_at.as_deref());
-        }
-    }
-
     /// In hours.
     pub(super) fn hour(&self, now: RunTime) -> f64 {
         (now - self.midnight).rem_euclid(DAY).ratio(HOUR)
@@ -568,11 +557,6 @@ impl RoutineDriver {
         self.ready.push_back(Next::Need(need, before));
         self.ready.push_back(Next::Need(need, 0.0));
     }
-}
-
-/// The places of the home with a stated place of sleep as the bed.
-fn places_of_night(usual: &Arc<HomePlaces>, asleep_at: Option<&str>) -> Arc<HomePlaces> {
-    asleep_at.map_or_else(|| usual.clone(), |name| Arc::new(HomePlaces::clone(usual).sleeping_at(name)))
 }
 
 /// Longest visit without a meal of the host alone (our choice).
