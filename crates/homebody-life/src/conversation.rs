@@ -7,8 +7,7 @@ use crate::model_answer::{AnswerLine, lines_of};
 use crate::model_server::{ChatMessage, ModelServer};
 use crate::rounds_file::{ConversationRound, RoundsFile};
 use crate::system_prompt::{capitalised, first_request, next_request, system_prompt};
-use crate::trial::Trial;
-use homebody_core::resident::DriverFile;
+use crate::trial::StatementTrial;
 use homebody_simulation::{OpenScenario, SimulationError, VERSION};
 
 /// Most answers of a conversation (our choice): later ones hardly better the routine.
@@ -26,7 +25,7 @@ pub enum ConversationStage {
 /// A text, a resident, and the answers so far.
 pub struct Conversation {
     text: FreeText,
-    trial: Trial,
+    trial: StatementTrial,
     system: String,
     rounds: Vec<ConversationRound>,
     /// The lines of the latest answer that had any.
@@ -45,7 +44,7 @@ impl Conversation {
     /// The text cannot be read, the scenario has no such resident, or nobody can have a routine in its home.
     pub fn new(opened: OpenScenario, resident: Option<&str>, text: &str) -> Result<Conversation, FreeTextError> {
         let text = FreeText::read(text)?;
-        let trial = Trial::of_resident(opened, resident)?;
+        let trial = StatementTrial::of_resident(opened, resident)?;
         let system = system_prompt(&trial);
         let (rounds, lines) = (Vec::new(), Vec::new());
         Ok(Conversation { text, trial, system, rounds, lines, no_lines: None, best: None, is_over: false })
@@ -165,7 +164,7 @@ impl Conversation {
         let statement = |text: &String| DraftStatement { text: text.clone(), ..DraftStatement::default() };
         DraftLine {
             source: line.source.clone(),
-            is_in_text: !self.text.quoted_by(&line.source).is_empty(),
+            is_in_text: self.text.has(&line.source),
             statements: line.statements.iter().map(statement).collect(),
             assumed: line.assumed.clone(),
             cannot_be_said: line.cannot_be_said.clone(),
@@ -285,34 +284,4 @@ impl Conversation {
 
 fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-impl Trial {
-    /// The trial of a resident by name, or of the first with a routine, or of the first.
-    fn of_resident(opened: OpenScenario, name: Option<&str>) -> Result<Trial, FreeTextError> {
-        let residents = &opened.scenario().residents;
-        let is_routine = |driver: &DriverFile| matches!(driver, DriverFile::Routine(_));
-        let resident = match name {
-            Some(name) => {
-                residents.iter().position(|one| one.file.name.eq_ignore_ascii_case(name)).ok_or_else(|| {
-                    let known = residents.iter().map(|one| one.file.name.clone()).collect();
-                    FreeTextError::UnknownResident { name: name.to_owned(), known }
-                })?
-            }
-            None if residents.is_empty() => {
-                return Err(FreeTextError::NoResident { scenario: opened.name().to_owned() });
-            }
-            None => residents.iter().position(|one| is_routine(&one.file.driver)).unwrap_or(0),
-        };
-        let file = match &residents[resident].file.driver {
-            DriverFile::Routine(file) => file.clone(),
-            _ => format!("{}.routine", residents[resident].file.name.to_lowercase().replace([' ', '/', '\\'], "-")),
-        };
-        let trial = Trial { opened, resident, file };
-        // A home in which nobody can live refuses each statement for the same reason.
-        trial
-            .with_routine("")
-            .map_err(|problems| SimulationError::Problems(homebody_core::problem::Problems(problems)))?;
-        Ok(trial)
-    }
 }

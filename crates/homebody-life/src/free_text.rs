@@ -35,18 +35,17 @@ impl FreeText {
         if characters > MOST_CHARACTERS {
             return Err(FreeTextError::TooLong { characters, most: MOST_CHARACTERS });
         }
-        let sentences: Vec<String> = text.lines().flat_map(sentences_of).collect();
+        let sentences: Vec<String> = paragraphs(text).iter().flat_map(|paragraph| sentences_of(paragraph)).collect();
         if sentences.is_empty() {
             return Err(FreeTextError::Empty);
         }
         Ok(FreeText { text: text.to_owned(), sentences })
     }
 
-    /// The sentences that a line's source quotes, as numbers from 0.
-    pub fn quoted_by(&self, source: &str) -> Vec<usize> {
+    /// Whether a line's source is a sentence of the text, or a part of one.
+    pub fn has(&self, source: &str) -> bool {
         let source = words_of(source);
-        let is_quoted = |sentence: &String| share_quoted(&words_of(sentence), &source) > 0.0;
-        (0..self.sentences.len()).filter(|&index| is_quoted(&self.sentences[index])).collect()
+        self.sentences.iter().any(|sentence| share_quoted(&words_of(sentence), &source) > 0.0)
     }
 
     /// The sentences that no source quotes.
@@ -84,9 +83,32 @@ fn words_of(text: &str) -> Vec<String> {
     words.map(str::to_lowercase).collect()
 }
 
+/// Marks of an item of a list.
+const BULLETS: [char; 5] = ['-', '*', '•', '#', '>'];
+
+/// Shortest line that an editor may have broken, in characters (our choice).
+const BROKEN_LINE: usize = 60;
+
+/// The lines of a text, joined where a sentence continues on the next line.
+fn paragraphs(text: &str) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    // The line before, if it ends within a sentence.
+    let mut open = "";
+    for line in text.lines().map(str::trim) {
+        let is_broken = open.chars().count() >= BROKEN_LINE && !line.is_empty() && !line.starts_with(BULLETS);
+        let continues = !open.is_empty() && (is_broken || line.starts_with(char::is_lowercase));
+        match all.last_mut() {
+            Some(before) if continues => *before += &format!(" {line}"),
+            _ => all.push(line.to_owned()),
+        }
+        open = if line.split_whitespace().next_back().is_some_and(ends_sentence) { "" } else { line };
+    }
+    all
+}
+
 fn sentences_of(line: &str) -> Vec<String> {
     let (mut sentences, mut sentence) = (Vec::new(), String::new());
-    for word in line.trim_start_matches(['-', '*', '•', '#', '>', ' ', '\t']).split_whitespace() {
+    for word in line.trim_start_matches(BULLETS).split_whitespace() {
         if !sentence.is_empty() {
             sentence.push(' ');
         }
@@ -134,6 +156,18 @@ mod tests {
     }
 
     #[test]
+    fn joins_lines_that_an_editor_has_broken() {
+        let broken =
+            "Margaret has lived alone since her husband died, and on Sundays\nHenry comes. She dozes\nafter lunch.";
+        let whole = "Margaret has lived alone since her husband died, and on Sundays Henry comes.";
+        assert_eq!(sentences(broken), [whole, "She dozes after lunch."]);
+        assert_eq!(
+            sentences("- Up at seven\n- Porridge\nTablets at eight\n\nbed at ten"),
+            ["Up at seven", "Porridge", "Tablets at eight", "bed at ten"]
+        );
+    }
+
+    #[test]
     fn finds_sentences_that_no_source_quotes() {
         let text =
             FreeText::read("She gets up at seven. She naps after lunch, and then she knits. Her son calls.").unwrap();
@@ -148,8 +182,7 @@ mod tests {
             left_out(&["She gets up at 7.", "Her son calls.", "and"]),
             ["She naps after lunch, and then she knits."]
         );
-        assert_eq!(text.quoted_by("Her son calls."), [2]);
-        assert!(text.quoted_by("She drinks wine all day").is_empty());
+        assert!(text.has("Her son calls.") && !text.has("She drinks wine all day"));
     }
 
     #[test]

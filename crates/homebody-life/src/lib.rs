@@ -21,5 +21,5 @@ pub use conversation::{Conversation, ConversationStage, MOST_ROUNDS};
 pub use free_text::{FreeText, MOST_CHARACTERS};
 pub use life_draft::{DraftLine, DraftStatement, LifeDraft};
 pub use messages::{FreeTextError, FreeTextWarning, ModelMessage};
-pub use model_server::{LOCAL_SERVERS, MOST_ANSWER_BYTES, ModelServer};
+pub use model_server::{ChatMessage, LOCAL_SERVERS, MOST_ANSWER_BYTES, ModelServer};
 pub use rounds_file::{ConversationRound, RoundsFile};

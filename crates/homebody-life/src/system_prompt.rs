@@ -1,7 +1,7 @@
 //! What a model is told before it sees a text: the card of the language, the home, and the deeds that the program knows.
 
 use crate::free_text::FreeText;
-use crate::trial::Trial;
+use crate::trial::StatementTrial;
 use homebody_core::time::RunTime;
 use homebody_routine::language::Lexicon;
 use homebody_routine::routine::Activity;
@@ -10,7 +10,7 @@ use homebody_routine::routine::Activity;
 pub const CARD: &str = include_str!("card.md");
 
 /// The card, the home and the deeds.
-pub fn system_prompt(trial: &Trial) -> String {
+pub fn system_prompt(trial: &StatementTrial) -> String {
     let scenario = trial.opened.scenario();
     let plan = scenario.home.plan();
     let residents = || scenario.residents.iter().map(|resident| resident.file.name.as_str());

@@ -1,7 +1,9 @@
 //! The trial of statements in their home: the strict reader, then some simulated days.
 
+use crate::messages::FreeTextError;
 use crate::model_answer::LONGEST_ENTRY;
-use homebody_core::problem::{Problem, is_unseen};
+use homebody_core::problem::{Problem, Problems, is_unseen};
+use homebody_core::resident::DriverFile;
 use homebody_routine::behaviour::difference::Difference;
 use homebody_simulation::{OpenScenario, SimulationError};
 
@@ -10,7 +12,7 @@ const TRIAL_DAYS: f64 = 60.0;
 
 /// The resident of a scenario whose routine is tried.
 #[derive(Clone)]
-pub struct Trial {
+pub struct StatementTrial {
     pub opened: OpenScenario,
     pub resident: usize,
     /// The file of the routine in the scenario.
@@ -25,7 +27,33 @@ pub struct TriedStatements {
     accepted: Option<(OpenScenario, Vec<usize>)>,
 }
 
-impl Trial {
+impl StatementTrial {
+    /// The trial of a resident by name, or of the first with a routine, or of the first.
+    pub fn of_resident(opened: OpenScenario, name: Option<&str>) -> Result<StatementTrial, FreeTextError> {
+        let residents = &opened.scenario().residents;
+        let is_routine = |driver: &DriverFile| matches!(driver, DriverFile::Routine(_));
+        let resident = match name {
+            Some(name) => {
+                residents.iter().position(|one| one.file.name.eq_ignore_ascii_case(name)).ok_or_else(|| {
+                    let known = residents.iter().map(|one| one.file.name.clone()).collect();
+                    FreeTextError::UnknownResident { name: name.to_owned(), known }
+                })?
+            }
+            None if residents.is_empty() => {
+                return Err(FreeTextError::NoResident { scenario: opened.name().to_owned() });
+            }
+            None => residents.iter().position(|one| is_routine(&one.file.driver)).unwrap_or(0),
+        };
+        let file = match &residents[resident].file.driver {
+            DriverFile::Routine(file) => file.clone(),
+            _ => format!("{}.routine", residents[resident].file.name.to_lowercase().replace([' ', '/', '\\'], "-")),
+        };
+        let trial = StatementTrial { opened, resident, file };
+        // A home in which nobody can live refuses each statement for the same reason.
+        trial.with_routine("").map_err(|problems| SimulationError::Problems(Problems(problems)))?;
+        Ok(trial)
+    }
+
     /// Reads statements, and leaves out those that the reader refuses or understands in part only.
     pub fn read(&self, statements: &[String]) -> TriedStatements {
         let mut refused: Vec<Option<String>> = statements.iter().map(|statement| misshapen(statement)).collect();

@@ -166,7 +166,9 @@ impl LifeFromArguments {
                 tell_draft(draft);
                 return Err(failure);
             }
-            crate::exit_code(Err(failure));
+            if let Failure::Coded(message, _) = &failure {
+                tell_message(message);
+            }
             tell(format_args!("the lines of round {} follow", conversation.rounds()));
         }
         Ok(server.name())
