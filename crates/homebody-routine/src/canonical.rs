@@ -452,7 +452,7 @@ fn about_percent(by: &Fuzzy, more: &str, less: &str) -> Option<String> {
 fn event(trigger: &RuleTrigger, lasts: bool) -> String {
     match trigger {
         RuleTrigger::On(thing) => format!("the {thing} has been on"),
-        RuleTrigger::At(place) => format!("she has been at the {place}"),
+        RuleTrigger::At(place) => format!("she has been {} the {place}", preposition(place)),
         RuleTrigger::Away => "she has been away".to_owned(),
         RuleTrigger::InBed => "she has been in bed".to_owned(),
         RuleTrigger::Rings(thing) => format!("the {thing} is turned on"),
@@ -477,7 +477,7 @@ fn so(state: &RuleTrigger, holds: bool) -> String {
     let not = if holds { "" } else { "not " };
     match state {
         RuleTrigger::On(thing) | RuleTrigger::Rings(thing) => format!("the {thing} is {not}on"),
-        RuleTrigger::At(place) => format!("she is {not}at the {place}"),
+        RuleTrigger::At(place) => format!("she is {not}{} the {place}", preposition(place)),
         RuleTrigger::Away => format!("she is {not}away"),
         RuleTrigger::InBed => format!("she is {not}in bed"),
         RuleTrigger::Dark(room) => format!("it is {not}dark{}", in_room(room)),
@@ -538,9 +538,19 @@ fn place_words(activity: &Activity, place: &str) -> String {
         Activity::Other(words) if ["checks", "looks at", "looks after"].contains(&words.as_str()) => {
             return format!("the {place}");
         }
-        _ => "at",
+        _ => preposition(place),
     };
     format!("{word} the {place}")
+}
+
+/// As people say it of the last word of a name; "at" is always understood.
+fn preposition(place: &str) -> &'static str {
+    match place.rsplit(' ').next().unwrap_or_default().to_lowercase().as_str() {
+        "armchair" | "recliner" | "bed" | "bedroom" | "bathroom" | "kitchen" | "room" | "hall" | "hallway" | "study"
+        | "garden" | "shower" | "bath" => "in",
+        "sofa" | "couch" | "toilet" | "balcony" | "terrace" => "on",
+        _ => "at",
+    }
 }
 
 fn list(names: &[&str]) -> String {

@@ -34,9 +34,11 @@ pub struct RoutinePerson {
     /// The first sentence about the person.
     #[serde(skip)]
     pub said: Quote,
+    /// The name of the resident.
     pub name: String,
     #[serde(rename = "species")]
     pub kind: ResidentKind,
+    /// Age in years.
     pub age_years: Option<f64>,
     /// Usual walking speed in metres a second.
     pub pace_mps: Option<Fuzzy>,
@@ -71,7 +73,7 @@ pub struct Quote {
 pub struct Habit {
     #[serde(skip)]
     pub said: Quote,
-    /// `None` for the person, else the visitor's name, such as `daughter`.
+    /// The visitor, such as `daughter`; left out for the resident.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub visitor: Option<String>,
     pub activity: Activity,

@@ -22,5 +22,6 @@ mod residents;
 mod roles;
 mod rule_effects;
 mod stage;
+mod statements_page;
 mod streams;
 mod untrained_writers;

@@ -12,7 +12,7 @@ fn every_sentence_is_said_again_in_words() {
     for (sentence, words) in [
         (
             "Most mornings she naps on the sofa for about 2 hours.",
-            "On 85 % of days, she naps at the sofa in the morning for about 2 hours.",
+            "On 85 % of days, she naps on the sofa in the morning for about 2 hours.",
         ),
         (
             "On Tuesday he goes out at about 10:00, give or take 30 minutes.",
