@@ -108,7 +108,7 @@ fn paragraphs(text: &str) -> Vec<String> {
 
 fn sentences_of(line: &str) -> Vec<String> {
     let (mut sentences, mut sentence) = (Vec::new(), String::new());
-    for word in line.trim_start_matches(BULLETS).split_whitespace() {
+    for word in line.trim_start_matches(|c| BULLETS.contains(&c) || c == ' ').split_whitespace() {
         if !sentence.is_empty() {
             sentence.push(' ');
         }

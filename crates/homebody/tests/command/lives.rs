@@ -1,6 +1,7 @@
 //! The shipped scenarios: their people and pets behave plausibly.
 
 use crate::folder::{Folder, ROOT};
+use serde_json::Value as Json;
 
 /// Lives a scenario of the repository for a while, into `log.db` and `truth.db`.
 fn lived(scenario: &str, span: &str) -> Folder {
@@ -50,4 +51,56 @@ fn residents_upstairs_use_the_stairs() {
     assert!((8.0..60.0).contains(&a_day), "{a_day} times a day");
     let sensors = folder.query("truth.db", "SELECT count(DISTINCT sensor) FROM cause");
     assert_eq!(sensors, ["15"], "every sensor fires in a week");
+}
+
+/// Three weeks with church on Sundays, a nurse at noon, and another sentence.
+fn with_a_nurse(other: &str) -> Folder {
+    let folder = Folder::with("tigerplace");
+    let routine = format!(
+        "Margaret is 82.\nShe gets up at 07:00.\nOn Sundays she goes to church at 9:30 and is back by noon.\n{other}\n\
+         A nurse visits every day at 12:30 for 20 minutes.\nShe reads between 15:00 and 18:00 for 20 minutes.\n"
+    );
+    folder.write("tigerplace/margaret.routine", routine);
+    folder.edit_json("tigerplace/scenario.json", |scenario| scenario["days"] = 21.into());
+    folder
+}
+
+#[test]
+fn sentences_without_room_are_warned_of() {
+    const NURSE: &str = "warning[life::not-as-said]: margaret.routine:5";
+    let commands = ["check tigerplace", "routine check tigerplace", "run tigerplace --quiet --out csv:log.csv"];
+    let full = with_a_nurse("She watches television from 10:00 to 17:00.");
+    let lived: Json = full.run("routine check tigerplace --lived --json").ok().json();
+    let shares = lived["sentences"].as_array().unwrap().iter().map(|of| of["lost_share"].as_f64().unwrap());
+    let shares: Vec<f64> = shares.collect();
+    assert!(
+        !shares.is_empty() && shares.is_sorted_by(|one, next| one >= next),
+        "the largest loss comes first: {lived}"
+    );
+    for words in commands {
+        let done = full.run(words).ok();
+        assert!(done.err.contains(NURSE) && !done.err.contains("no problems"), "{words}: {}", done.err);
+    }
+    let free = with_a_nurse("She watches television from 19:00 to 20:00.");
+    for words in commands {
+        let done = free.run(words).ok();
+        assert!(!done.err.contains("not-as-said"), "{words}: {}", done.err);
+        assert_eq!(done.err.contains("no problems"), !words.starts_with("run"), "{words}: {}", done.err);
+    }
+}
+
+#[test]
+fn who_is_back_by_noon_is_not_reported() {
+    let sentences = |other: &str| {
+        let lived: Json = with_a_nurse(other).run("routine check tigerplace --lived --json").ok().json();
+        lived["sentences"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|of| of["text"].as_str().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(sentences(""), [""; 0]);
+    let late = sentences("On Sunday she watches television from 08:30 to 12:20.");
+    assert!(late.iter().any(|text| text == "is back by noon"), "{late:?}");
 }
