@@ -15,7 +15,7 @@ pub struct ItemDraft {
     pub start: ItemStart,
     /// Delay of a relative start by changes.
     pub later: Span,
-    /// Not done, but others keep their time after it: a meal that is no longer prepared is still eaten.
+    /// Not done, but others keep their time after it: a meal whose preparation has stopped is still eaten.
     pub is_left_out: bool,
 }
 

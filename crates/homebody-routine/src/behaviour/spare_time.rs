@@ -128,8 +128,8 @@ impl RoutineDriver {
         if often < 1.0 { times.min(often) } else { times * often }
     }
 
-    /// Factor on the length of an activity of spare time whose share of that time changes by what is said: the others have
-    /// less of it.
+    /// Factor on the length of an activity of spare time, so that its share of that time changes by the stated factor. The
+    /// others then have less.
     fn longer(&self, activity: &Activity, share: f64) -> f64 {
         /// Largest share of spare time of one activity (our choice).
         const MOST_OF_IT: f64 = 0.95;
