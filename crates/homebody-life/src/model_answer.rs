@@ -52,24 +52,26 @@ pub fn schema() -> Value {
 ///
 /// The reason why there are none.
 pub fn lines_of(answer: &str) -> Result<Vec<AnswerLine>, String> {
-    let mut is_json = false;
+    let mut has_lines = false;
     for (at, _) in answer.match_indices(['{', '[']).take(MOST_BEGINNINGS) {
         let Some(Ok(value)) = serde_json::Deserializer::from_str(&answer[at..]).into_iter::<Value>().next() else {
             continue;
         };
-        is_json = true;
+        has_lines |= value.get("lines").is_some();
         let list = value.get("lines").unwrap_or(&value).as_array();
         let lines: Vec<AnswerLine> = list.into_iter().flatten().take(MOST_LINES).filter_map(line_of).collect();
         if !lines.is_empty() {
             return Ok(without_repetitions(lines));
         }
     }
-    Err(match (answer.trim().is_empty(), is_json) {
-        (true, _) => "it is empty".to_owned(),
-        (_, true) => "its JSON has no lines with a source".to_owned(),
-        (_, false) if answer.contains("\"lines\"") => "its JSON is incomplete".to_owned(),
-        (_, false) => "it has no JSON".to_owned(),
-    })
+    let why = match answer {
+        _ if answer.trim().is_empty() => "it is empty",
+        _ if has_lines => "its JSON has no lines with a source",
+        // The parts of a JSON that was cut are JSON, too.
+        _ if answer.contains("\"lines\"") => "its JSON is incomplete",
+        _ => "it has no JSON with lines",
+    };
+    Err(why.to_owned())
 }
 
 fn line_of(value: &Value) -> Option<AnswerLine> {
@@ -136,10 +138,10 @@ mod tests {
     fn says_why_there_are_no_lines() {
         let why = |answer: &str| lines_of(answer).unwrap_err();
         assert_eq!(why(" \n"), "it is empty");
-        assert_eq!(why("I am sorry, I cannot help with that."), "it has no JSON");
+        assert_eq!(why("I am sorry, I cannot help with that."), "it has no JSON with lines");
         assert_eq!(why("{\"lines\":[]}"), "its JSON has no lines with a source");
         assert_eq!(why(&ANSWER[..ANSWER.len() - 3]), "its JSON is incomplete");
-        assert_eq!(why(&"{[".repeat(100_000)), "it has no JSON");
+        assert_eq!(why(&"{[".repeat(100_000)), "it has no JSON with lines");
     }
 
     #[test]

@@ -201,7 +201,10 @@ fn residents_are_chosen_by_name() {
             .map(|conversation| conversation.routine_file().to_owned())
     };
     assert_eq!(of("couple-with-cat", Some("Ruth")).unwrap(), "ruth.routine");
-    assert_eq!(of("postures", None).unwrap(), "sam.routine");
+    assert_eq!(of("couple-with-cat", None).unwrap(), "henry.routine");
+    // Nobody can follow a routine in a home without a toilet.
+    let Err(FreeTextError::Simulation(error)) = of("postures", None) else { panic!("a home without a toilet") };
+    assert!(error.to_string().contains("no toilet"), "{error}");
     assert!(matches!(of("couple-with-cat", Some("Ada")), Err(FreeTextError::UnknownResident { .. })));
     assert!(matches!(conversation_of_no_words(), Err(FreeTextError::Empty)));
 }

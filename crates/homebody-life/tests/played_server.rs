@@ -49,8 +49,7 @@ impl PlayedServer {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let url = format!("http://{}/v1", listener.local_addr().unwrap());
         let requests = Arc::new(Mutex::new(Vec::new()));
-        let replies: Vec<Reply> = replies.into_iter().collect();
-        let (noted, mut replies) = (requests.clone(), replies.into_iter().peekable());
+        let (noted, mut replies) = (requests.clone(), replies.into_iter().collect::<Vec<_>>().into_iter());
         let models: Vec<Value> = models.iter().map(|model| json!({ "id": model })).collect();
         let list = json!({ "data": models }).to_string();
         thread::spawn(move || {
