@@ -14,8 +14,8 @@ mod truth;
 #[cfg(test)]
 mod tests;
 
-pub use text::{CLAIMS, CONDITIONS, Claim, ClaimCase, ClaimHome};
 pub use subject::{Filter, Subject};
+pub use text::{CLAIMS, CONDITIONS, Claim, ClaimCase, ClaimHome};
 pub use truth::{ClaimTruth, Occurrence};
 
 use crate::simulated::each_step;

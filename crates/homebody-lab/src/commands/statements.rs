@@ -36,7 +36,9 @@ fn days(text: &str) -> Result<RangeInclusive<i32>, String> {
     /// Shortest and longest run (our choice): a change needs some days before and after it.
     const ALLOWED: RangeInclusive<i32> = 14..=400;
     let (from, to) = text.split_once("..").unwrap_or((text, text));
-    let number = |text: &str| text.parse::<i32>().map_err(|_| format!("write two numbers of days, such as 30..90, and not {text:?}"));
+    let number = |text: &str| {
+        text.parse::<i32>().map_err(|_| format!("write two numbers of days, such as 30..90, and not {text:?}"))
+    };
     let (from, to) = (number(from)?, number(to)?);
     match from <= to && ALLOWED.contains(&from) && ALLOWED.contains(&to) {
         true => Ok(from..=to),

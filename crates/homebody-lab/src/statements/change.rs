@@ -70,7 +70,7 @@ impl DrawnChange {
         let percent = 10.0 * f64::from(1 + draw.below(5));
         let minutes = 15.0 * f64::from(1 + draw.below(5));
         let (changed, carrier, label) = CHANGED[draw.below(4) as usize];
-        let changed_carrier = vec![carrier.to_owned()];
+        let changed_carrier = vec![life.base.in_its_morning(carrier)];
         let times = [0.5, 2.0][draw.below(2) as usize];
         let times_words = if times < 1.0 { "half" } else { "twice" };
         let weekday = draw.below(7) as u8;
@@ -84,7 +84,14 @@ impl DrawnChange {
             effect,
         };
         match draw.below(20) {
-            0 => new("pace", format!("she walks {percent} % slower"), vec![], &["pace"], phase, Effect::Pace(1.0 - percent / 100.0)),
+            0 => new(
+                "pace",
+                format!("she walks {percent} % slower"),
+                vec![],
+                &["pace"],
+                phase,
+                Effect::Pace(1.0 - percent / 100.0),
+            ),
             1 => new(
                 "pace each week",
                 "she walks 0.02 m/s slower every week".into(),
@@ -97,7 +104,11 @@ impl DrawnChange {
                 let (is_later, sign) = if draw.one_in(2) { ("later", 1.0) } else { ("earlier", -1.0) };
                 let (words, carriers, about) = match draw.below(5) {
                     0 => ("gets up", vec![format!("she gets up at {}.", clock(life.base.up_min))], "getting_up"),
-                    1 => ("goes to bed", vec![format!("she goes to bed at {}.", clock(life.base.bed_min))], "going_to_bed"),
+                    1 => (
+                        "goes to bed",
+                        vec![format!("she goes to bed at {}.", clock(life.base.bed_min))],
+                        "going_to_bed",
+                    ),
                     _ => (changed, changed_carrier, label),
                 };
                 new(
@@ -109,11 +120,32 @@ impl DrawnChange {
                     Effect::Later(sign * minutes),
                 )
             }
-            4 => new("length by a factor", format!("she {changed} {percent} % longer"), changed_carrier, &[label], phase, Effect::Longer(1.0 + percent / 100.0)),
-            5 => new("length by a factor", format!("she {changed} half as long"), changed_carrier, &[label], phase, Effect::Longer(0.5)),
+            4 => new(
+                "length by a factor",
+                format!("she {changed} {percent} % longer"),
+                changed_carrier,
+                &[label],
+                phase,
+                Effect::Longer(1.0 + percent / 100.0),
+            ),
+            5 => new(
+                "length by a factor",
+                format!("she {changed} half as long"),
+                changed_carrier,
+                &[label],
+                phase,
+                Effect::Longer(0.5),
+            ),
             6 => {
                 let by = 5.0 * f64::from(1 + draw.below(4));
-                new("length by minutes", format!("she {changed} {by} minutes longer"), changed_carrier, &[label], phase, Effect::LongerBy(by))
+                new(
+                    "length by minutes",
+                    format!("she {changed} {by} minutes longer"),
+                    changed_carrier,
+                    &[label],
+                    phase,
+                    Effect::LongerBy(by),
+                )
             }
             7 => new(
                 "length by minutes",
@@ -126,14 +158,21 @@ impl DrawnChange {
             8 => new(
                 "frequency",
                 format!("she exercises {times_words} as often"),
-                vec!["on 40 % of days she exercises at 10:00.".into()],
+                vec![life.base.in_its_morning("on 40 % of days she exercises at 10:00.")],
                 &["exercising"],
                 phase,
                 Effect::Oftener(times),
             ),
             9 => {
                 let need = [("has a drink", "drinking"), ("has a snack", "having_a_snack")][draw.below(2) as usize];
-                new("frequency of a need", format!("she {} {times_words} as often", need.0), vec![], &[need.1], always, Effect::NeedOftener(times, false))
+                new(
+                    "frequency of a need",
+                    format!("she {} {times_words} as often", need.0),
+                    vec![],
+                    &[need.1],
+                    always,
+                    Effect::NeedOftener(times, false),
+                )
             }
             10 => new(
                 "frequency of a need",
@@ -149,35 +188,110 @@ impl DrawnChange {
                     1 => ("skips dinner", "she eats dinner at 18:00 for 30 minutes.", "eating_dinner"),
                     _ => ("does not take her pills", "she takes her pills at 09:00.", "taking_medicine"),
                 };
-                new("skipping", format!("she {words} on {percent} % of days"), vec![carrier.into()], &[about], phase, Effect::Skips(percent / 100.0))
+                new(
+                    "skipping",
+                    format!("she {words} on {percent} % of days"),
+                    vec![life.base.in_its_morning(carrier)],
+                    &[about],
+                    phase,
+                    Effect::Skips(percent / 100.0),
+                )
             }
             13 => new(
                 "hours",
                 "her hours vary twice as much".into(),
-                vec!["she exercises at 10:00, give or take 30 minutes.".into()],
+                vec![life.base.in_its_morning("she exercises at 10:00, give or take 30 minutes.")],
                 &["exercising"],
                 DrawnPhase { from: Some(from), ..always },
                 Effect::Irregular(2.0),
             ),
-            14 => new("movement", format!("she is {percent} % less active"), vec![], &["everything"], always, Effect::Active(1.0 - percent / 100.0)),
-            15 => new("movement in bed", format!("she turns in bed {percent} % more"), vec![], &["everything"], always, Effect::Restless(1.0 + percent / 100.0)),
-            16 if draw.one_in(2) => new("kinds of days", format!("{weekday_name}s are quiet days"), vec![], &["everything"], always, Effect::QuietDay(weekday)),
-            16 => new("kinds of days", format!("{weekday_name} is a busy day"), vec![], &["everything"], always, Effect::BusyDay(weekday)),
-            17 if draw.one_in(2) => new("difference of days", "her days differ a lot".into(), vec![], &["everything"], always, Effect::DaysDiffer),
+            14 => new(
+                "movement",
+                format!("she is {percent} % less active"),
+                vec![],
+                &["everything"],
+                always,
+                Effect::Active(1.0 - percent / 100.0),
+            ),
+            15 => new(
+                "movement in bed",
+                format!("she turns in bed {percent} % more"),
+                vec![],
+                &["everything"],
+                always,
+                Effect::Restless(1.0 + percent / 100.0),
+            ),
+            16 if draw.one_in(2) => new(
+                "kinds of days",
+                format!("{weekday_name}s are quiet days"),
+                vec![],
+                &["everything"],
+                always,
+                Effect::QuietDay(weekday),
+            ),
+            16 => new(
+                "kinds of days",
+                format!("{weekday_name} is a busy day"),
+                vec![],
+                &["everything"],
+                always,
+                Effect::BusyDay(weekday),
+            ),
+            17 if draw.one_in(2) => new(
+                "difference of days",
+                "her days differ a lot".into(),
+                vec![],
+                &["everything"],
+                always,
+                Effect::DaysDiffer,
+            ),
             17 => new(
                 "rising after late nights",
                 "when she goes to bed late she gets up late".into(),
-                vec!["on Saturday she goes out at 19:00 for 7 hours.".into()],
+                vec![
+                    format!("she gets up at {}.", clock(life.base.up_min)),
+                    format!("she goes to bed at {}.", clock(life.base.bed_min)),
+                    "on Saturday she goes out at 19:00 for 7 hours.".into(),
+                ],
                 &["getting_up", "going_to_bed", "away"],
                 always,
                 Effect::SleepsIn,
             ),
-            18 => new("things left on", format!("she forgets the stove on {percent} % of occasions"), vec![], &["stove"], phase, Effect::Forgets(percent / 100.0)),
+            // Others turn off what they use.
+            18 if !life.home().has_two() => new(
+                "things left on",
+                format!("she forgets the stove on {percent} % of occasions"),
+                vec![],
+                &["stove"],
+                phase,
+                Effect::Forgets(percent / 100.0),
+            ),
             _ if life.home().has_bed_sensor && draw.one_in(2) => match draw.one_in(2) {
-                true => new("pulse", "her pulse rises by 40 beats".into(), vec![], &["everything"], DrawnPhase { from: Some(from), ..always }, Effect::Pulse),
-                false => new("respiration", "she breathes 16 breaths a minute faster".into(), vec![], &["everything"], DrawnPhase { from: Some(from), ..always }, Effect::Respiration),
+                true => new(
+                    "pulse",
+                    "her pulse rises by 40 beats".into(),
+                    vec![],
+                    &["everything"],
+                    DrawnPhase { from: Some(from), ..always },
+                    Effect::Pulse,
+                ),
+                false => new(
+                    "respiration",
+                    "she breathes 16 breaths a minute faster".into(),
+                    vec![],
+                    &["everything"],
+                    DrawnPhase { from: Some(from), ..always },
+                    Effect::Respiration,
+                ),
             },
-            _ => new("condition", "she shows moderate frailty".into(), vec![], &["everything", "condition"], phase, Effect::Shows),
+            _ => new(
+                "condition",
+                "she shows moderate frailty".into(),
+                vec![],
+                &["everything", "condition"],
+                phase,
+                Effect::Shows,
+            ),
         }
     }
 
@@ -202,7 +316,9 @@ impl DrawnChange {
         let over = |first: i32, last: i32| Filter { days: Some((first + 1, last)), ..Filter::default() };
         let (before, during, after) = (over(0, from), over(full, end), over(end, days));
         let label = self.about[0];
-        let of = |filter: &Filter| view.life.occurrences(view.who, &Subject::Activity(label.to_owned()), filter, label == "going_to_bed");
+        let of = |filter: &Filter| {
+            view.life.occurrences(view.who, &Subject::Activity(label.to_owned()), filter, label == "going_to_bed")
+        };
         let daily = |view: &LifeView, subject: Subject, filter: &Filter| view.life.daily(view.who, &subject, filter);
         let mut fields = Vec::new();
         let mut add = |field: &str, low: f64, high: f64, value: f64, unit: &str| {
@@ -211,7 +327,9 @@ impl DrawnChange {
         let near = |value: f64, error: f64| (value - error, value + error);
         match self.effect {
             Effect::Pace(factor) => {
-                let ratio = |filter: &Filter| mean(&daily(view, Subject::Pace, filter)) / mean(&daily(view, Subject::Pace, &before));
+                let ratio = |filter: &Filter| {
+                    mean(&daily(view, Subject::Speed, filter)) / mean(&daily(view, Subject::Speed, &before))
+                };
                 add("size", factor - NEAR, factor + NEAR, ratio(&during), "of the pace before");
                 if self.phase.until.is_some() && end < days {
                     add("until", 1.0 - NEAR, 1.0 + NEAR, ratio(&after), "of the pace before");
@@ -221,7 +339,7 @@ impl DrawnChange {
                 let weeks = f64::from((days - 1 - from) / 7);
                 let last = over(days - 7, days);
                 let expected = by * (weeks - 0.5).max(0.0);
-                let moved = mean(&daily(view, Subject::Pace, &last)) - mean(&daily(view, Subject::Pace, &before));
+                let moved = mean(&daily(view, Subject::Speed, &last)) - mean(&daily(view, Subject::Speed, &before));
                 add("size", expected - 0.03, expected + 0.03, moved, "m/s");
             }
             Effect::Later(by) => {
@@ -296,7 +414,13 @@ impl DrawnChange {
             Effect::Active(factor) => {
                 let Some(twin) = twin else { return fields };
                 let metres = |view: &LifeView| mean(&daily(view, Subject::Metres, &over(0, days)));
-                add("size", factor - NEAR - 0.02, factor + NEAR + 0.02, metres(view) / metres(twin), "of the twin's metres");
+                add(
+                    "size",
+                    factor - NEAR - 0.02,
+                    factor + NEAR + 0.02,
+                    metres(view) / metres(twin),
+                    "of the twin's metres",
+                );
             }
             Effect::QuietDay(weekday) | Effect::BusyDay(weekday) => {
                 let Some(twin) = twin else { return fields };
@@ -312,7 +436,12 @@ impl DrawnChange {
             Effect::DaysDiffer => {
                 let Some(twin) = twin else { return fields };
                 let differ = |view: &LifeView| {
-                    spread(&daily(view, Subject::Metres, &over(0, days)).iter().map(|metres| metres.max(1.0).ln()).collect::<Vec<_>>())
+                    spread(
+                        &daily(view, Subject::Metres, &over(0, days))
+                            .iter()
+                            .map(|metres| metres.max(1.0).ln())
+                            .collect::<Vec<_>>(),
+                    )
                 };
                 add("size", 1.2, 2.8, differ(view) / differ(twin), "times the twin's spread");
             }
@@ -325,10 +454,18 @@ impl DrawnChange {
             Effect::Forgets(chance) => {
                 let left = |first: i32, last: i32, chance: f64| {
                     let cooked = ["preparing_lunch", "preparing_dinner"].map(|label| {
-                        view.life.occurrences(view.who, &Subject::Activity(label.to_owned()), &over(first, last.min(days - 1)), false)
+                        view.life.occurrences(
+                            view.who,
+                            &Subject::Activity(label.to_owned()),
+                            &over(first, last.min(days - 1)),
+                            false,
+                        )
                     });
                     let cooked = cooked.concat();
-                    let left = cooked.iter().filter(|one| view.life.is_on("stove", one.time.end + 3 * super::field::MINUTE)).count();
+                    let left = cooked
+                        .iter()
+                        .filter(|one| view.life.is_on("stove", one.time.end + 3 * super::field::MINUTE))
+                        .count();
                     let (low, high) = count_bounds(&vec![chance; cooked.len()]);
                     (low as f64, high as f64, left as f64)
                 };
@@ -339,8 +476,19 @@ impl DrawnChange {
             }
             Effect::SleepsIn => {
                 let up = |days: u8, filter: Filter| {
-                    mean(&view.life.occurrences(view.who, &Subject::Activity("getting_up".into()), &Filter { weekdays: Some(days), ..filter }, false)
-                        .iter().map(|one| one.clock_min).collect::<Vec<_>>())
+                    mean(
+                        &view
+                            .life
+                            .occurrences(
+                                view.who,
+                                &Subject::Activity("getting_up".into()),
+                                &Filter { weekdays: Some(days), ..filter },
+                                false,
+                            )
+                            .iter()
+                            .map(|one| one.clock_min)
+                            .collect::<Vec<_>>(),
+                    )
                 };
                 let nights = view.life.occurrences(
                     view.who,
@@ -351,7 +499,13 @@ impl DrawnChange {
                 let bed = mean(&nights.iter().map(|one| (one.clock_min + 720.0) % 1440.0 + 720.0).collect::<Vec<_>>());
                 let late = bed - view.bed_min;
                 let expected = if late < 30.0 { 0.0 } else { late };
-                add("size", expected - 20.0, expected + 20.0, up(0x40, over(7, days)) - up(0x1f, over(7, days)), "min later");
+                add(
+                    "size",
+                    expected - 20.0,
+                    expected + 20.0,
+                    up(0x40, over(7, days)) - up(0x1f, over(7, days)),
+                    "min later",
+                );
             }
             Effect::Shows => {
                 let severity = |filter: &Filter| mean(&daily(view, Subject::Severity("frailty".into()), filter));
@@ -360,8 +514,11 @@ impl DrawnChange {
             }
             Effect::Pulse | Effect::Respiration => {
                 let value = if self.effect == Effect::Pulse { "PULSE_HIGH" } else { "RESPIRATION_HIGH" };
-                let count = |filter: &Filter| view.life.occurrences(view.who, &Subject::Says(value.into()), filter, false).len() as f64;
-                let (first, then) = (count(&before) / f64::from(from.max(1)), count(&during) / f64::from((end - full).max(1)));
+                let count = |filter: &Filter| {
+                    view.life.occurrences(view.who, &Subject::Says(value.into()), filter, false).len() as f64
+                };
+                let (first, then) =
+                    (count(&before) / f64::from(from.max(1)), count(&during) / f64::from((end - full).max(1)));
                 add("size", first + 1.0, f64::INFINITY, then, "messages of the bed a day");
             }
         }
@@ -376,7 +533,8 @@ fn minutes(all: &[Occurrence]) -> Vec<f64> {
 /// Minutes of the day around their middle, without the twentieth that is farthest from it.
 fn trimmed(values: Vec<f64>) -> Vec<f64> {
     let Some(first) = values.first().copied() else { return values };
-    let mut values: Vec<f64> = values.iter().map(|value| (value - first + 720.0).rem_euclid(1440.0) - 720.0 + first).collect();
+    let mut values: Vec<f64> =
+        values.iter().map(|value| (value - first + 720.0).rem_euclid(1440.0) - 720.0 + first).collect();
     values.sort_by(f64::total_cmp);
     let middle = values[values.len() / 2];
     values.sort_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs()));

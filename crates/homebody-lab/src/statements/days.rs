@@ -7,7 +7,17 @@ use homebody_core::fuzzy::Quantifier;
 const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
 
 const MONTHS: [&str; 12] = [
-    "January", "February", "March", "April", "May", "June", "July", "August", "September", "October", "November",
+    "January",
+    "February",
+    "March",
+    "April",
+    "May",
+    "June",
+    "July",
+    "August",
+    "September",
+    "October",
+    "November",
     "December",
 ];
 
@@ -165,7 +175,8 @@ impl DrawnChance {
 
 impl DrawnPhase {
     pub fn draw(draw: &mut Draw, days: i32) -> DrawnPhase {
-        let within = |draw: &mut Draw, from: f64, to: f64| draw.between(f64::from(days) * from, f64::from(days) * to) as i32;
+        let within =
+            |draw: &mut Draw, from: f64, to: f64| draw.between(f64::from(days) * from, f64::from(days) * to) as i32;
         match draw.below(9) {
             0 => DrawnPhase { from: Some(within(draw, 0.2, 0.6)), ..DrawnPhase::default() },
             1 => DrawnPhase { until: Some(within(draw, 0.4, 0.8)), ..DrawnPhase::default() },
@@ -173,7 +184,9 @@ impl DrawnPhase {
                 let from = within(draw, 0.1, 0.4);
                 DrawnPhase { from: Some(from), until: Some(from + within(draw, 0.2, 0.5)), ..DrawnPhase::default() }
             }
-            3 => DrawnPhase { from: Some(within(draw, 0.1, 0.3)), over: within(draw, 0.2, 0.5), ..DrawnPhase::default() },
+            3 => {
+                DrawnPhase { from: Some(within(draw, 0.1, 0.3)), over: within(draw, 0.2, 0.5), ..DrawnPhase::default() }
+            }
             4 if draw.one_in(2) => {
                 let from = within(draw, 0.1, 0.2);
                 let (until, fading) = (Some(from + within(draw, 0.2, 0.3)), within(draw, 0.2, 0.4));

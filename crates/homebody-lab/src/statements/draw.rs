@@ -79,7 +79,8 @@ impl DrawnStatement {
 
     /// Sentences that it needs, such as the habit that it changes.
     pub fn carriers(&self, home: &DrawnHome) -> Vec<String> {
-        let (DrawnStatement::Change(DrawnChange { carriers, .. }) | DrawnStatement::Rule(DrawnRule { carriers, .. })) = self
+        let (DrawnStatement::Change(DrawnChange { carriers, .. }) | DrawnStatement::Rule(DrawnRule { carriers, .. })) =
+            self
         else {
             return Vec::new();
         };
@@ -124,7 +125,8 @@ impl DrawnLife {
             let about = statement.about();
             let others: Vec<&str> = life.statements.iter().flat_map(DrawnStatement::about).collect();
             let is_new = !about.iter().any(|label| others.contains(label));
-            let is_changed = life.base.about.contains(&"condition") && about.iter().any(|label| life.base.about.contains(label));
+            let is_changed =
+                life.base.about.contains(&"condition") && about.iter().any(|label| life.base.about.contains(label));
             let is_all = |about: &[&str]| about.contains(&"everything");
             let clashes = is_all(&about) && !others.is_empty() || is_all(&others);
             if is_new && !is_changed && !clashes {
@@ -137,14 +139,13 @@ impl DrawnLife {
         life
     }
 
-    /// Draws lives until they have so many statements. Each has streams of its own.
+    /// Draws lives until they have at least so many statements. Each has streams of its own.
     pub fn draw_all(count: usize, seed: u64, days: &RangeInclusive<i32>) -> Vec<DrawnLife> {
         let (mut lives, mut first): (Vec<DrawnLife>, usize) = (Vec::new(), 0);
         while first < count {
             let number = lives.len();
             let mut draw = Draw(Stream::named(seed, &format!("statements/{number}")));
-            let mut life = DrawnLife::draw(&mut draw, first, seed.wrapping_add(number as u64), days);
-            life.statements.truncate(count - first);
+            let life = DrawnLife::draw(&mut draw, first, seed.wrapping_add(number as u64), days);
             first += life.statements.len();
             lives.push(life);
         }

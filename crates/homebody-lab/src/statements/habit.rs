@@ -13,7 +13,10 @@ use homebody_routine::routine::PartOfDay;
 #[derive(Clone, Debug, PartialEq)]
 pub enum DrawnTime {
     Any,
-    At { words: String, at: Fuzzy },
+    At {
+        words: String,
+        at: Fuzzy,
+    },
     Within(PartOfDay),
     /// The gap in minutes; at once if `None`. The index is of [`ANCHORS`].
     After(usize, Option<f64>),
@@ -121,10 +124,7 @@ impl DrawnLength {
             },
             1 => {
                 let most = minutes + 5.0 * f64::from(1 + draw.below(4));
-                DrawnLength {
-                    words: format!(" for {minutes} to {most} minutes"),
-                    lasts: Fuzzy::between(minutes, most),
-                }
+                DrawnLength { words: format!(" for {minutes} to {most} minutes"), lasts: Fuzzy::between(minutes, most) }
             }
             _ => DrawnLength::exactly(minutes),
         }
@@ -302,7 +302,9 @@ impl DrawnHabit {
         habit.when = DrawnHabit::when(draw, life);
         let minute = DrawnHabit::awake(draw, life).clamp(480.0, 1200.0);
         habit.time = match draw.below(4) {
-            0 => DrawnTime::Within([PartOfDay::Morning, PartOfDay::Afternoon, PartOfDay::Evening][draw.below(3) as usize]),
+            0 => DrawnTime::Within(
+                [PartOfDay::Morning, PartOfDay::Afternoon, PartOfDay::Evening][draw.below(3) as usize],
+            ),
             _ => DrawnTime::at(draw, minute),
         };
         match draw.below(4) {

@@ -149,7 +149,10 @@ impl DrawnBase {
                 }
             }
             1 if !is_late => {
-                add("She prepares breakfast at about 08:30 for 15 minutes, then eats for 20 minutes.", &["eating_breakfast"]);
+                add(
+                    "She prepares breakfast at about 08:30 for 15 minutes, then eats for 20 minutes.",
+                    &["eating_breakfast"],
+                );
                 add("She prepares lunch at about 12:00 for 25 minutes, then eats for 25 minutes.", &["eating_lunch"]);
                 add("She prepares dinner at about 17:30 for 30 minutes, then eats for 30 minutes.", &["eating_dinner"]);
             }
@@ -166,12 +169,33 @@ impl DrawnBase {
             let condition = ["depression", "frailty", "insomnia", "heart failure"][draw.below(4) as usize];
             let from = 2 + draw.below(days.max(4) as u32 / 3);
             let about = [
-                "condition", "getting_up", "going_to_bed", "away", "eating_breakfast", "eating_lunch", "eating_dinner", "housework",
-                "lying_awake", "using_bathroom", "watching_television", "fallen", "showering", "wandering", "napping", "laundry",
+                "condition",
+                "getting_up",
+                "going_to_bed",
+                "away",
+                "eating_breakfast",
+                "eating_lunch",
+                "eating_dinner",
+                "housework",
+                "lying_awake",
+                "using_bathroom",
+                "watching_television",
+                "fallen",
+                "showering",
+                "wandering",
+                "napping",
+                "laundry",
             ];
             add(&format!("From day {from}, over 7 days, she shows mild {condition}."), &about);
         }
         base
+    }
+
+    /// A sentence with a time in the morning, which is later for a person who rises late.
+    pub fn in_its_morning(&self, sentence: &str) -> String {
+        let at = |minutes: f64, earliest: f64| clock((self.up_min + minutes).max(earliest));
+        let later = sentence.replace("10:00", &at(120.0, 600.0)).replace("09:30", &at(90.0, 570.0));
+        later.replace("09:00", &at(75.0, 540.0))
     }
 
     /// The text of the routine. A statement about rising or bedtime replaces the sentence here.
@@ -187,11 +211,15 @@ impl DrawnBase {
         }
         let replaces = |label: &str| labels.contains(&label);
         let is_kept = |sentence: &&String| {
-            let told = [("eats breakfast", "eating_breakfast"), ("eats lunch", "eating_lunch"), ("eats dinner", "eating_dinner")];
+            let told = [
+                ("eats breakfast", "eating_breakfast"),
+                ("eats lunch", "eating_lunch"),
+                ("eats dinner", "eating_dinner"),
+            ];
             let cooked = [("breakfast", "eating_breakfast"), ("lunch", "eating_lunch"), ("dinner", "eating_dinner")];
             let eats = told.iter().any(|(words, label)| sentence.contains(words) && replaces(label));
-            let cooks_and_eats =
-                sentence.contains("then eats") && cooked.iter().any(|(meal, label)| sentence.contains(meal) && replaces(label));
+            let cooks_and_eats = sentence.contains("then eats")
+                && cooked.iter().any(|(meal, label)| sentence.contains(meal) && replaces(label));
             !eats && !cooks_and_eats && !(sentence.contains("goes out") && replaces("away"))
         };
         sentences.extend(self.sentences.iter().filter(is_kept).map(|sentence| home.of_person(&lowered(sentence))));

@@ -6,7 +6,8 @@ use super::deeds::{ANCHORS, Background};
 use super::field::{EARLY_MIN, FieldResult, GRACE_MIN, LifeView, containing, minutes};
 use super::habit::{DrawnHabit, DrawnPlace, DrawnTime};
 use crate::claims::Occurrence;
-use homebody_core::time::{HOUR, Interval, MINUTE, RunTime};
+use homebody_core::fuzzy::Fuzzy;
+use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, Span};
 use homebody_routine::routine::PartOfDay;
 
 /// Time within which an occurrence is the one of the statement, before and after its time (our choice).
@@ -17,6 +18,9 @@ const MEAN_LATE_MIN: f64 = 8.0;
 
 /// Least share of the time of an activity of spare time that is spent on it (our choice): needs interrupt it.
 const COVERED: f64 = 0.6;
+
+/// Longest pause of one occurrence (our choice): a meal with its preparation.
+const PAUSE: Span = HOUR.times(2);
 
 /// A day on which the statement may hold.
 struct Occasion {
@@ -36,6 +40,16 @@ impl DrawnHabit {
         }
         let all = match self.visitor {
             Some(visitor) => view.stays(visitor).unwrap_or_default(),
+            None if self.times.is_some() || self.deed.background == Background::Need => {
+                let mut all = view.deeds(&self.deed);
+                // By day: between rising and bedtime. At night: the rest.
+                let at_night = self.time == DrawnTime::Within(PartOfDay::Night);
+                let (up, bed) = (view.labelled("getting_up"), view.labelled("going_to_bed"));
+                let last =
+                    |of: &[Occurrence], at: RunTime| of.iter().map(|one| one.time.begin).rfind(|begin| *begin <= at);
+                all.retain(|one| (last(&up, one.time.begin) < last(&bed, one.time.begin)) == at_night);
+                all
+            }
             None => view.deeds(&self.deed),
         };
         // Which of two weeks "every other" begins with is left open.
@@ -66,7 +80,10 @@ impl DrawnHabit {
     fn fields(&self, view: &LifeView, all: &[Occurrence], odd: bool) -> Vec<FieldResult> {
         let occasions = self.occasions(view, all, odd);
         let mut fields = Vec::new();
-        if self.time == DrawnTime::Within(PartOfDay::Night) && self.deed.label == "using_bathroom" && self.times.is_none() {
+        if self.time == DrawnTime::Within(PartOfDay::Night)
+            && self.deed.label == "using_bathroom"
+            && self.times.is_none()
+        {
             // The need continues on other nights.
         } else if self.deed.background == Background::SpareTime {
             fields.extend(self.coverage(&occasions, all, view));
@@ -81,10 +98,19 @@ impl DrawnHabit {
             self.host(view, all, &mut fields);
         }
         if let Some(part) = self.mostly {
-            let hours = part.hours();
-            let within = all.iter().filter(|one| is_between(one.clock_min, (hours.0 / 60.0, hours.1 / 60.0))).count();
+            let hours = match part {
+                PartOfDay::Night => (view.bed_min, view.up_min + 1440.0),
+                part => (part.hours().0 / 60.0, part.hours().1 / 60.0),
+            };
+            let within = all.iter().filter(|one| is_between(one.clock_min, hours)).count();
             let (low, high) = count_bounds(&vec![homebody_routine::routine::USUAL_SHARE; all.len()]);
-            fields.push(FieldResult::range("mostly", low as f64, high as f64, within as f64, &format!("of {} falls", all.len())));
+            fields.push(FieldResult::range(
+                "mostly",
+                low as f64,
+                high as f64,
+                within as f64,
+                &format!("of {} falls", all.len()),
+            ));
         }
         fields
     }
@@ -98,7 +124,10 @@ impl DrawnHabit {
         };
         let is_small = matches!(&self.time, DrawnTime::At { at, .. } if at.high < 300.0);
         let is_night = self.time == DrawnTime::Within(PartOfDay::Night);
+        let is_fall = self.deed.label == "fallen" || self.deed.label == "stumbling";
         let day_of = |at: RunTime| match (is_small, is_night) {
+            // From rising to rising.
+            _ if is_fall => view.life.day_of(at - Span::from_seconds(60.0 * view.up_min)),
             (true, _) => view.life.day_of(at),
             (_, true) => view.life.day_of(at - 12 * HOUR),
             _ => view.day_of(at),
@@ -129,7 +158,8 @@ impl DrawnHabit {
                     minutes(one.time.begin - from) >= -NEAR_MIN.0 && minutes(one.time.begin - to) <= NEAR_MIN.1
                 }
                 (None, Some(anchor)) => {
-                    minutes(one.time.begin - anchor.begin) >= -NEAR_MIN.0 && minutes(one.time.begin - anchor.end) <= NEAR_MIN.1
+                    minutes(one.time.begin - anchor.begin) >= -NEAR_MIN.0
+                        && minutes(one.time.begin - anchor.end) <= NEAR_MIN.1
                 }
                 (None, None) => true,
             };
@@ -151,9 +181,14 @@ impl DrawnHabit {
             _ => "chance",
         };
         if self.is_only() {
-            let wrong: Vec<&Occasion> = occasions.iter().filter(|of| of.chance == 0.0 && !of.found.is_empty()).collect();
+            let wrong: Vec<&Occasion> =
+                occasions.iter().filter(|of| of.chance == 0.0 && !of.found.is_empty()).collect();
             if occasions.iter().any(|of| of.chance == 0.0) {
-                let excluded = when.days.field().into_iter().chain(when.phase.fields().into_iter().filter(|field| *field != "over"));
+                let excluded = when
+                    .days
+                    .field()
+                    .into_iter()
+                    .chain(when.phase.fields().into_iter().filter(|field| *field != "over"));
                 let field = format!("not on other days ({})", excluded.collect::<Vec<_>>().join(", "));
                 let mut result = FieldResult::range(&field, 0.0, 0.0, wrong.len() as f64, "days");
                 if let Some(first) = wrong.first() {
@@ -169,7 +204,10 @@ impl DrawnHabit {
                 .life
                 .whole_weeks()
                 .into_iter()
-                .filter(|monday| (*monday..monday + 7).all(|day| meant.iter().any(|of| of.day == day && when.phase.strength(day) == 1.0)))
+                .filter(|monday| {
+                    (*monday..monday + 7)
+                        .all(|day| meant.iter().any(|of| of.day == day && when.phase.strength(day) == 1.0))
+                })
                 .map(|monday| {
                     let of_week = meant.iter().filter(|of| (monday..monday + 7).contains(&of.day));
                     let count = of_week.filter(|of| !of.found.is_empty()).count();
@@ -180,7 +218,8 @@ impl DrawnHabit {
         } else if !meant.is_empty() {
             let (low, high) = count_bounds(&meant.iter().map(|of| of.chance.min(1.0)).collect::<Vec<_>>());
             let high = if self.is_only() || self.visitor.is_some() { high } else { meant.len() };
-            let mut result = FieldResult::range(name, low as f64, high as f64, on as f64, &format!("of {} days", meant.len()));
+            let mut result =
+                FieldResult::range(name, low as f64, high as f64, on as f64, &format!("of {} days", meant.len()));
             if let Some(first) = meant.iter().find(|of| of.chance >= 1.0 && of.found.is_empty())
                 && !result.holds
             {
@@ -189,20 +228,36 @@ impl DrawnHabit {
             fields.push(result);
         }
         if let Some((least, most)) = self.times {
-            let present = meant.iter().filter(|of| of.chance >= 1.0 || !of.found.is_empty());
-            let counts: Vec<_> = present
-                .map(|of| {
-                    let count = of.found.len() as u32;
-                    ((least..=most).contains(&count), format!("{count} on day {}", of.day + 1))
-                })
+            let counts: Vec<f64> = meant
+                .iter()
+                .filter(|of| of.chance >= 1.0 || !of.found.is_empty())
+                .map(|of| of.found.len() as f64)
                 .collect();
-            let words = if least == most { format!("{least} times") } else { format!("{least} to {most} times") };
-            fields.extend(FieldResult::most("times a day", &words, &counts));
+            if !counts.is_empty() {
+                let middle = f64::from(least + most) / 2.0;
+                let error = mean_error(
+                    bounds::deviation(&Fuzzy::between(f64::from(least), f64::from(most) + 0.2)),
+                    counts.len(),
+                );
+                let low = middle - error - (bounds::LEFT_OUT * middle).max(1.0 / counts.len() as f64);
+                fields.push(FieldResult::range(
+                    "times a day",
+                    low,
+                    middle + error + 0.02 * middle,
+                    mean(&counts),
+                    "times on average",
+                ));
+            }
         } else if self.is_only() && self.deed.label != "fallen" && self.deed.label != "using_bathroom" {
             let twice: Vec<_> = meant
                 .iter()
                 .filter(|of| !of.found.is_empty())
-                .map(|of| (of.found.len() == 1, format!("{} times on day {}", of.found.len(), of.day + 1)))
+                .map(|of| {
+                    // An activity that a meal interrupts is continued.
+                    let pauses = of.found.windows(2).filter(|pair| pair[1].time.begin - pair[0].time.end > PAUSE);
+                    let times = 1 + pauses.count();
+                    (times == 1, format!("{times} times on day {}", of.day + 1))
+                })
                 .collect();
             fields.extend(FieldResult::most("once on such a day", "once", &twice));
         }
@@ -225,6 +280,10 @@ impl DrawnHabit {
         let mut fields = Vec::new();
         let late = |gap: f64, least: f64, most: f64| (least - EARLY_MIN..=most + GRACE_MIN).contains(&gap);
         let said = |one: &Occurrence| view.clock(one.time.begin);
+        let cooking = match self.time {
+            DrawnTime::Before(anchor, _) => view.labelled(&ANCHORS[anchor].1.replace("eating", "preparing")),
+            _ => Vec::new(),
+        };
         let cases: Vec<(bool, String)> = held
             .iter()
             .filter_map(|(of, one)| {
@@ -240,8 +299,15 @@ impl DrawnHabit {
                         // Before its end, or before its beginning.
                         let (low, high) = gap.map_or((0.0, 5.0), |gap| (0.9 * gap, 1.1 * gap));
                         let lasted = minutes(end - begin);
-                        let gap = minutes(anchor.begin - begin);
-                        (low - GRACE_MIN..=high + lasted + GRACE_MIN).contains(&gap) && gap >= -EARLY_MIN
+                        // A meal begins with its preparation.
+                        let cooked = cooking
+                            .iter()
+                            .rfind(|one| one.time.begin < anchor.begin && one.time.end > anchor.begin - HOUR);
+                        let begins = [Some(anchor.begin), cooked.map(|one| one.time.begin)];
+                        begins.into_iter().flatten().any(|anchor| {
+                            let gap = minutes(anchor - begin);
+                            (low - GRACE_MIN..=high + lasted + GRACE_MIN).contains(&gap) && gap >= -EARLY_MIN
+                        })
                     }
                     (DrawnTime::With(_), _, Some(anchor)) => minutes((begin - anchor.begin).abs()) <= GRACE_MIN,
                     _ => return None,
@@ -264,9 +330,17 @@ impl DrawnHabit {
             && held.len() >= 10
         {
             let in_time = held.iter().map(|(of, one)| minutes(one.time.begin - view.at(of.day, at.mean())));
-            let in_time: Vec<f64> = in_time.filter(|by| (at.low - at.mean() - EARLY_MIN..=at.high - at.mean() + GRACE_MIN).contains(by)).collect();
+            let in_time: Vec<f64> = in_time
+                .filter(|by| (at.low - at.mean() - EARLY_MIN..=at.high - at.mean() + GRACE_MIN).contains(by))
+                .collect();
             let error = mean_error(bounds::deviation(at), in_time.len());
-            fields.push(FieldResult::range("mean time", -error - EARLY_MIN, error + MEAN_LATE_MIN, mean(&in_time), "min after the middle"));
+            fields.push(FieldResult::range(
+                "mean time",
+                -error - EARLY_MIN,
+                error + MEAN_LATE_MIN,
+                mean(&in_time),
+                "min after the middle",
+            ));
         }
         fields
     }
@@ -312,7 +386,8 @@ impl DrawnHabit {
                     None => (at.low - EARLY_MIN, at.high + GRACE_MIN),
                 };
                 let time = Interval::new(view.at(of.day, from), view.at(of.day, to));
-                let spent: f64 = all.iter().map(|one| minutes(Interval::new(one.time.begin, one.time.end).overlap(time))).sum();
+                let spent: f64 =
+                    all.iter().map(|one| minutes(Interval::new(one.time.begin, one.time.end).overlap(time))).sum();
                 let expected = length.map_or(0.5, |length| COVERED * length.min(minutes(time.length())) - 5.0);
                 (spent >= expected, format!("{spent:.0} min on day {}", of.day + 1))
             })
@@ -352,7 +427,11 @@ impl DrawnHabit {
         let opens = |at: RunTime| view.life.is_used("front door", Interval::new(at - 3 * MINUTE, at + 3 * MINUTE));
         let ended = all.iter().filter(|one| one.time.end < view.at(view.days, 0.0) - MINUTE);
         let door = |one: &Occurrence| (opens(one.time.begin) && opens(one.time.end), view.clock(one.time.begin));
-        fields.extend(FieldResult::most("door", "it opens as the visitor comes and goes", &ended.map(door).collect::<Vec<_>>()));
+        fields.extend(FieldResult::most(
+            "door",
+            "it opens as the visitor comes and goes",
+            &ended.map(door).collect::<Vec<_>>(),
+        ));
     }
 
     /// An absence, or a stay of a visitor, of whole days.
@@ -364,7 +443,8 @@ impl DrawnHabit {
         };
         let (begin, end) = (view.at(from + 1, 0.0), view.at(from + days - 1, 0.0));
         let inner = Interval::new(begin, end);
-        let within: f64 = all.iter().map(|one| minutes(Interval::new(one.time.begin, one.time.end).overlap(inner))).sum();
+        let within: f64 =
+            all.iter().map(|one| minutes(Interval::new(one.time.begin, one.time.end).overlap(inner))).sum();
         let whole = minutes(inner.length());
         let mut fields = Vec::new();
         if whole > 0.0 {
@@ -375,7 +455,8 @@ impl DrawnHabit {
         let days_f = f64::from(days);
         fields.push(FieldResult::range("length", days_f - 0.75, days_f + 0.75, longest, "days"));
         if self.visitor.is_some() {
-            let other = all.iter().filter(|one| one.time.end < begin - 24 * HOUR || one.time.begin > end + 48 * HOUR).count();
+            let other =
+                all.iter().filter(|one| one.time.end < begin - 24 * HOUR || one.time.begin > end + 48 * HOUR).count();
             fields.push(FieldResult::range("not on other days (from)", 0.0, 0.0, other as f64, "stays"));
         }
         fields

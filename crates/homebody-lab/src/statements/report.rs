@@ -9,7 +9,11 @@ const MOST_REASONS: usize = 12;
 impl fmt::Display for StatementsExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let StatementsExperiment { seed, statements, happened, told, neither, false_alarms, fields } = self;
-        writeln!(f, "{statements} random statements (seed {seed}); one true field in {:.0} fails by chance", 1.0 / false_alarms)?;
+        writeln!(
+            f,
+            "{statements} random statements (seed {seed}); one true field in {:.0} fails by chance",
+            1.0 / false_alarms
+        )?;
         let table = TextTable::new("-24 kind|-44 field|8 fields|8 happened|6 told|7 neither");
         write!(f, "\n  {}", table.heading())?;
         let mut groups: BTreeMap<(&str, &str), [usize; 3]> = BTreeMap::new();

@@ -3,7 +3,7 @@
 use super::bounds::count_bounds;
 use super::deeds::Deed;
 use super::draw::{Draw, DrawnLife};
-use super::field::{FieldResult, LifeView, MINUTE, minutes};
+use super::field::{FieldResult, LifeView, MINUTE, containing, minutes};
 use super::homes::{DrawnHome, clock};
 use homebody_core::time::{HOUR, RunTime};
 
@@ -69,7 +69,9 @@ impl DrawnRule {
         let deed = ANSWERS[draw.below(ANSWERS.len() as u32) as usize];
         let length_min = 5.0 * f64::from(1 + draw.below(4));
         let wait = 10.0 * f64::from(1 + draw.below(3));
-        let (kind, state, carriers, about, trigger): (_, String, Vec<&str>, Vec<&'static str>, Trigger) = match draw.below(13) {
+        let (kind, state, carriers, about, trigger): (_, String, Vec<&str>, Vec<&'static str>, Trigger) = match draw
+            .below(13)
+        {
             0 => (
                 "doing",
                 format!("she has been exercising for {wait} minutes"),
@@ -77,11 +79,24 @@ impl DrawnRule {
                 vec!["exercising"],
                 Trigger::Doing("exercising", wait),
             ),
-            1 => ("doing", "she is exercising".into(), vec!["she exercises at 10:00 for 20 minutes."], vec!["exercising"], Trigger::Doing("exercising", 0.0)),
+            1 => (
+                "doing",
+                "she is exercising".into(),
+                vec!["she exercises at 10:00 for 20 minutes."],
+                vec!["exercising"],
+                Trigger::Doing("exercising", 0.0),
+            ),
             2 => ("done", "she has eaten lunch".into(), vec![], vec!["eating_lunch"], Trigger::Done("eating_lunch")),
-            3 => ("done", "she has eaten breakfast".into(), vec![], vec!["eating_breakfast"], Trigger::Done("eating_breakfast")),
+            3 => (
+                "done",
+                "she has eaten breakfast".into(),
+                vec![],
+                vec!["eating_breakfast"],
+                Trigger::Done("eating_breakfast"),
+            ),
             4 => {
-                let minute = 5.0 * (draw.between(life.base.up_min + 60.0, life.base.bed_min - 60.0).min(1400.0) / 5.0).round();
+                let minute =
+                    5.0 * (draw.between(life.base.up_min + 60.0, life.base.bed_min - 60.0).min(1400.0) / 5.0).round();
                 ("a time", format!("it is {}", clock(minute)), vec![], vec![], Trigger::Clock(minute))
             }
             5 => (
@@ -91,7 +106,7 @@ impl DrawnRule {
                 vec!["cousin"],
                 Trigger::Company("cousin"),
             ),
-            6 if !life.home().has_two() => (
+            6 if !life.home().has_two() && !life.base.about.contains(&"neighbour") => (
                 "being alone",
                 format!("she has been alone for {wait} minutes"),
                 vec!["her cousin visits on Wednesday and Saturday at 15:00 for 1 hour."],
@@ -99,10 +114,28 @@ impl DrawnRule {
                 Trigger::AloneAfter("cousin", wait),
             ),
             7 => ("sitting", "she has been sitting for an hour".into(), vec![], vec![], Trigger::Sitting(60.0)),
-            8 => ("a place", "she has been in the bathroom for 20 minutes".into(), vec![], vec!["bathroom"], Trigger::In("bathroom", 20.0)),
-            9 => ("being out", "she has been out for 1 hour".into(), vec!["she goes out at 14:00 for 3 hours."], vec!["away"], Trigger::Out(60.0)),
-            10 => ("being in bed", "she has been in bed for 6 hours".into(), vec![], vec!["getting_up", "going_to_bed"], Trigger::InBed(360.0)),
-            11 => (
+            8 => (
+                "a place",
+                "she has been in the bathroom for 20 minutes".into(),
+                vec![],
+                vec!["bathroom"],
+                Trigger::In("bathroom", 20.0),
+            ),
+            9 => (
+                "being out",
+                "she has been out for 1 hour".into(),
+                vec!["she goes out at 14:00 for 3 hours."],
+                vec!["away"],
+                Trigger::Out(60.0),
+            ),
+            10 => (
+                "being in bed",
+                "she has been in bed for 6 hours".into(),
+                vec![],
+                vec!["getting_up", "going_to_bed"],
+                Trigger::InBed(360.0),
+            ),
+            11 if !life.home().has_two() => (
                 "a thing",
                 "the stove has been on for 30 minutes".into(),
                 vec!["she forgets the stove on 100 % of occasions."],
@@ -154,7 +187,7 @@ impl DrawnRule {
         DrawnRule {
             kind,
             words: format!("{start} {state}, {rule}."),
-            carriers: carriers.into_iter().map(str::to_owned).collect(),
+            carriers: carriers.into_iter().map(|carrier| life.base.in_its_morning(carrier)).collect(),
             about,
             trigger,
             answer: is_activity.then_some(of),
@@ -174,11 +207,16 @@ impl DrawnRule {
         use DrawnTrigger as Trigger;
         let wait = |minutes: f64| homebody_core::time::Span::from_seconds(minutes * 60.0);
         let lasting = |all: Vec<crate::claims::Occurrence>, least: f64| {
-            all.into_iter().filter(|one| minutes(one.time.length()) > least + 1.0).map(|one| one.time.begin + wait(least)).collect()
+            all.into_iter()
+                .filter(|one| minutes(one.time.length()) > least + 1.0)
+                .map(|one| one.time.begin + wait(least))
+                .collect()
         };
         match self.trigger {
             Trigger::Doing(label, least) => lasting(view.labelled(label), least),
-            Trigger::Done(label) | Trigger::Follows(label) => view.labelled(label).iter().map(|one| one.time.end).collect(),
+            Trigger::Done(label) | Trigger::Follows(label) => {
+                view.labelled(label).iter().map(|one| one.time.end).collect()
+            }
             Trigger::Clock(minute) => (0..view.days - 1).map(|day| view.at(day, minute)).collect(),
             Trigger::Company(who) => view.stays(who).unwrap_or_default().iter().map(|one| one.time.begin).collect(),
             Trigger::AloneAfter(who, least) => {
@@ -189,7 +227,9 @@ impl DrawnRule {
                 lasting(view.life.spans(view.who, &crate::claims::Subject::Room(room.to_owned())), least)
             }
             Trigger::Out(least) => lasting(view.labelled("away"), least),
-            Trigger::InBed(least) => view.labelled("going_to_bed").iter().map(|one| one.time.begin + wait(least)).collect(),
+            Trigger::InBed(least) => {
+                view.labelled("going_to_bed").iter().map(|one| one.time.begin + wait(least)).collect()
+            }
             Trigger::On(..) | Trigger::Dark => Vec::new(),
         }
     }
@@ -201,7 +241,10 @@ impl DrawnRule {
             let day = view.life.day_of(*at);
             day >= self.from + i32::from(self.from > 0) && *at < end && !view.is_excused(view.day_of(*at))
         };
-        let occasions: Vec<RunTime> = self.occasions(view).into_iter().filter(is_counted).collect();
+        let out = view.labelled("away");
+        // Nobody answers while out.
+        let is_home = |at: &RunTime| containing(&out, *at).is_none();
+        let occasions: Vec<RunTime> = self.occasions(view).into_iter().filter(is_counted).filter(is_home).collect();
         let mut fields = Vec::new();
         match self.trigger {
             Trigger::On(thing, least) => {
@@ -209,7 +252,12 @@ impl DrawnRule {
                 let cases: Vec<_> = on
                     .iter()
                     .filter(|one| is_counted(&one.time.begin))
-                    .map(|one| (minutes(one.time.length()) <= least + ANSWERED_MIN, format!("{} min from {}", minutes(one.time.length()).round(), view.clock(one.time.begin))))
+                    .map(|one| {
+                        (
+                            minutes(one.time.length()) <= least + ANSWERED_MIN,
+                            format!("{} min from {}", minutes(one.time.length()).round(), view.clock(one.time.begin)),
+                        )
+                    })
                     .collect();
                 fields.extend(FieldResult::most("answer", &format!("off within {least} min"), &cases));
                 return fields;
@@ -222,7 +270,12 @@ impl DrawnRule {
                 let cases: Vec<_> = all
                     .iter()
                     .filter(|one| is_counted(&one.time.begin))
-                    .map(|one| (minutes(one.time.length()) <= least + ANSWERED_MIN, format!("{} min from {}", minutes(one.time.length()).round(), view.clock(one.time.begin))))
+                    .map(|one| {
+                        (
+                            minutes(one.time.length()) <= least + ANSWERED_MIN,
+                            format!("{} min from {}", minutes(one.time.length()).round(), view.clock(one.time.begin)),
+                        )
+                    })
                     .collect();
                 fields.extend(FieldResult::most("answer", &format!("over within {least} min"), &cases));
                 return fields;
@@ -257,7 +310,8 @@ impl DrawnRule {
             let minute = minutes(*at - view.life.midnight(*at));
             self.until_min.is_none_or(|until| minute < until - 1.0)
         };
-        let must_not = |at: &RunTime| self.until_min.is_some_and(|until| minutes(*at - view.life.midnight(*at)) > until + 1.0);
+        let must_not =
+            |at: &RunTime| self.until_min.is_some_and(|until| minutes(*at - view.life.midnight(*at)) > until + 1.0);
         // "For 20 minutes" is give or take a tenth. What is answered at once comes before the label of its cause.
         let (early, late) = match self.trigger {
             Trigger::Doing(_, 0.0) => (self.length_min + NEEDS_MIN, ANSWERED_MIN),
@@ -266,13 +320,23 @@ impl DrawnRule {
             }
             _ => (1.0, ANSWERED_MIN),
         };
-        let answered = |due: &RunTime| answers.iter().find(|one| (-early..=late).contains(&minutes(one.time.begin - *due)));
+        let answered =
+            |due: &RunTime| answers.iter().find(|one| (-early..=late).contains(&minutes(one.time.begin - *due)));
         let valid: Vec<&RunTime> = occasions.iter().filter(|due| may_be(due)).collect();
         let (low, high) = count_bounds(&vec![self.chance; valid.len()]);
         let count = valid.iter().filter(|due| answered(due).is_some()).count();
-        let missed = valid.iter().find(|due| answered(due).is_none()).map_or(String::new(), |due| format!("; not at {}", view.clock(**due)));
+        let missed = valid
+            .iter()
+            .find(|due| answered(due).is_none())
+            .map_or(String::new(), |due| format!("; not at {}", view.clock(**due)));
         if !valid.is_empty() {
-            let mut field = FieldResult::range("answer", low as f64, high as f64, count as f64, &format!("of {} occasions", valid.len()));
+            let mut field = FieldResult::range(
+                "answer",
+                low as f64,
+                high as f64,
+                count as f64,
+                &format!("of {} occasions", valid.len()),
+            );
             if !field.holds {
                 field.measured += &missed;
             }
@@ -287,7 +351,10 @@ impl DrawnRule {
             .filter_map(|due| answered(due))
             .map(|one| {
                 let lasted = minutes(one.lasted);
-                ((0.9 * self.length_min - 1.0..=1.1 * self.length_min + 1.5).contains(&lasted), format!("{lasted:.1} min"))
+                (
+                    (0.9 * self.length_min - 1.0..=1.1 * self.length_min + 1.5).contains(&lasted),
+                    format!("{lasted:.1} min"),
+                )
             })
             .collect();
         fields.extend(FieldResult::most("length", &format!("{} min", self.length_min), &lengths));
