@@ -248,7 +248,7 @@ impl DrawnHabit {
                     "times on average",
                 ));
             }
-        } else if self.is_only() && self.deed.label != "fallen" && self.deed.label != "using_bathroom" {
+        } else if self.is_only() && !["fallen", "using_bathroom", "lying_awake"].contains(&self.deed.label) {
             let twice: Vec<_> = meant
                 .iter()
                 .filter(|of| !of.found.is_empty())
@@ -347,8 +347,15 @@ impl DrawnHabit {
 
     fn lengths(&self, occasions: &[Occasion]) -> Vec<FieldResult> {
         let Some(length) = &self.length else { return Vec::new() };
-        let held = occasions.iter().filter(|of| of.chance > 0.0).filter_map(|of| self.meant(of));
-        let lengths: Vec<f64> = held.map(|one| minutes(one.lasted)).collect();
+        let held = occasions.iter().filter(|of| of.chance > 0.0);
+        let lengths: Vec<f64> = match self.deed.label {
+            // The toilet in the middle of the night interrupts it.
+            "lying_awake" => {
+                let nights = held.filter(|of| !of.found.is_empty());
+                nights.map(|of| of.found.iter().map(|one| minutes(one.lasted)).sum()).collect()
+            }
+            _ => held.filter_map(|of| self.meant(of)).map(|one| minutes(one.lasted)).collect(),
+        };
         if lengths.is_empty() {
             return Vec::new();
         }

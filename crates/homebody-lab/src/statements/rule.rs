@@ -5,7 +5,7 @@ use super::deeds::Deed;
 use super::draw::{Draw, DrawnLife};
 use super::field::{FieldResult, LifeView, MINUTE, containing, minutes};
 use super::homes::{DrawnHome, clock};
-use homebody_core::time::{HOUR, RunTime};
+use homebody_core::time::{HOUR, RunTime, Span};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DrawnTrigger {
@@ -59,6 +59,9 @@ const ANSWERS: [Deed; 5] = [
 
 /// Largest delay of an answer in minutes (our choice): the walk, and the end of what cannot be interrupted.
 const ANSWERED_MIN: f64 = 10.0;
+
+/// A tenth of six hours, and time to finish what cannot be interrupted (our choice).
+const IN_BED_SPREAD: Span = MINUTE.times(56);
 
 /// Time that needs take in the middle of an answer, in minutes (our choice).
 const NEEDS_MIN: f64 = 20.0;
@@ -205,7 +208,7 @@ impl DrawnRule {
     /// When the rule is due.
     fn occasions(&self, view: &LifeView) -> Vec<RunTime> {
         use DrawnTrigger as Trigger;
-        let wait = |minutes: f64| homebody_core::time::Span::from_seconds(minutes * 60.0);
+        let wait = |minutes: f64| Span::from_seconds(minutes * 60.0);
         let lasting = |all: Vec<crate::claims::Occurrence>, least: f64| {
             all.into_iter()
                 .filter(|one| minutes(one.time.length()) > least + 1.0)
@@ -286,7 +289,7 @@ impl DrawnRule {
                     .iter()
                     .map(|due| {
                         let first = up.iter().find(|one| one.time.begin > *due - 5 * HOUR);
-                        let is_up = first.is_some_and(|one| one.time.begin <= *due + 20 * MINUTE);
+                        let is_up = first.is_some_and(|one| one.time.begin <= *due + IN_BED_SPREAD);
                         (is_up, format!("in bed since {}", view.clock(*due - 6 * HOUR)))
                     })
                     .collect();
