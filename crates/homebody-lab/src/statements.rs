@@ -144,7 +144,9 @@ impl DrawnLife {
             life: &life.truth,
             calendar: life.truth.calendar(),
             who: life.who,
+            person: self.home().person,
             days: self.days,
+            up_min: self.base.up_min,
             bed_min: self.base.bed_min,
             excused: (0..self.days).map(takes).collect(),
         }
@@ -259,15 +261,16 @@ impl DrawnStatement {
     }
 }
 
-/// Whether a reported difference is about such a field. What never happens has no other field.
+/// Whether a reported difference is about such a field. Only the gravest difference of a sentence is reported, so a lack of room explains
+/// its time and length, too.
 fn covers(difference: &Difference, topic: FieldTopic) -> bool {
     let never = difference.lived.starts_with("0 times") || difference.lived.starts_with("nothing") || difference.told;
     let is_late = difference.lived.contains("late");
     let is_short = difference.lived.contains("on average");
     never
         || match topic {
-            FieldTopic::Time => is_late,
-            FieldTopic::Length => is_short || is_late,
+            FieldTopic::Time => !is_short,
+            FieldTopic::Length => true,
             FieldTopic::Days => !is_late && !is_short,
             FieldTopic::Other => false,
         }

@@ -85,9 +85,10 @@ struct Stay {
 
 #[derive(Clone, Debug, Default)]
 struct Body {
-    /// By day: metres, speeds with the metres that they are of, and seconds of movement in bed.
+    /// By day: metres, speeds of long strides with the metres that they are of, seconds of walking, and of movement in bed.
     metres: Vec<f64>,
     paces: Vec<(f64, f64)>,
+    walking_s: Vec<f64>,
     turning_s: Vec<f64>,
     /// The severities of conditions, with their start.
     severities: Vec<(RunTime, String, f64)>,
@@ -104,6 +105,7 @@ impl ClaimTruth {
         let body = |_| Body {
             metres: vec![0.0; many],
             paces: vec![(0.0, 0.0); many],
+            walking_s: vec![0.0; many],
             turning_s: vec![0.0; many],
             ..Body::default()
         };
@@ -324,6 +326,7 @@ impl ClaimTruth {
             match subject {
                 Subject::Metres => body.metres[index],
                 Subject::Pace => body.paces[index].0 / body.paces[index].1,
+                Subject::Speed => body.metres[index] / body.walking_s[index],
                 Subject::Firings => {
                     let (from, to) = filter.between.unwrap_or((0.0, 1440.0));
                     let at = |minute: f64| self.calendar.instant(*day, (minute * 60.0) as i64 * SECOND);
@@ -369,6 +372,7 @@ impl Body {
             MotionState::Stride { from, to } => {
                 let length = from.distance(*to);
                 self.metres[day] += length;
+                self.walking_s[day] += lasts_s;
                 if length >= LEAST_M {
                     self.paces[day].0 += length;
                     self.paces[day].1 += lasts_s;

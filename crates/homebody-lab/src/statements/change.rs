@@ -70,7 +70,7 @@ impl DrawnChange {
         let percent = 10.0 * f64::from(1 + draw.below(5));
         let minutes = 15.0 * f64::from(1 + draw.below(5));
         let (changed, carrier, label) = CHANGED[draw.below(4) as usize];
-        let changed_carrier = vec![carrier.to_owned()];
+        let changed_carrier = vec![life.base.in_its_morning(carrier)];
         let times = [0.5, 2.0][draw.below(2) as usize];
         let times_words = if times < 1.0 { "half" } else { "twice" };
         let weekday = draw.below(7) as u8;
@@ -158,7 +158,7 @@ impl DrawnChange {
             8 => new(
                 "frequency",
                 format!("she exercises {times_words} as often"),
-                vec!["on 40 % of days she exercises at 10:00.".into()],
+                vec![life.base.in_its_morning("on 40 % of days she exercises at 10:00.")],
                 &["exercising"],
                 phase,
                 Effect::Oftener(times),
@@ -191,7 +191,7 @@ impl DrawnChange {
                 new(
                     "skipping",
                     format!("she {words} on {percent} % of days"),
-                    vec![carrier.into()],
+                    vec![life.base.in_its_morning(carrier)],
                     &[about],
                     phase,
                     Effect::Skips(percent / 100.0),
@@ -200,7 +200,7 @@ impl DrawnChange {
             13 => new(
                 "hours",
                 "her hours vary twice as much".into(),
-                vec!["she exercises at 10:00, give or take 30 minutes.".into()],
+                vec![life.base.in_its_morning("she exercises at 10:00, give or take 30 minutes.")],
                 &["exercising"],
                 DrawnPhase { from: Some(from), ..always },
                 Effect::Irregular(2.0),
@@ -248,12 +248,17 @@ impl DrawnChange {
             17 => new(
                 "rising after late nights",
                 "when she goes to bed late she gets up late".into(),
-                vec!["on Saturday she goes out at 19:00 for 7 hours.".into()],
+                vec![
+                    format!("she gets up at {}.", clock(life.base.up_min)),
+                    format!("she goes to bed at {}.", clock(life.base.bed_min)),
+                    "on Saturday she goes out at 19:00 for 7 hours.".into(),
+                ],
                 &["getting_up", "going_to_bed", "away"],
                 always,
                 Effect::SleepsIn,
             ),
-            18 => new(
+            // Others turn off what they use.
+            18 if !life.home().has_two() => new(
                 "things left on",
                 format!("she forgets the stove on {percent} % of occasions"),
                 vec![],
@@ -323,7 +328,7 @@ impl DrawnChange {
         match self.effect {
             Effect::Pace(factor) => {
                 let ratio = |filter: &Filter| {
-                    mean(&daily(view, Subject::Pace, filter)) / mean(&daily(view, Subject::Pace, &before))
+                    mean(&daily(view, Subject::Speed, filter)) / mean(&daily(view, Subject::Speed, &before))
                 };
                 add("size", factor - NEAR, factor + NEAR, ratio(&during), "of the pace before");
                 if self.phase.until.is_some() && end < days {
@@ -334,7 +339,7 @@ impl DrawnChange {
                 let weeks = f64::from((days - 1 - from) / 7);
                 let last = over(days - 7, days);
                 let expected = by * (weeks - 0.5).max(0.0);
-                let moved = mean(&daily(view, Subject::Pace, &last)) - mean(&daily(view, Subject::Pace, &before));
+                let moved = mean(&daily(view, Subject::Speed, &last)) - mean(&daily(view, Subject::Speed, &before));
                 add("size", expected - 0.03, expected + 0.03, moved, "m/s");
             }
             Effect::Later(by) => {

@@ -139,14 +139,13 @@ impl DrawnLife {
         life
     }
 
-    /// Draws lives until they have so many statements. Each has streams of its own.
+    /// Draws lives until they have at least so many statements. Each has streams of its own.
     pub fn draw_all(count: usize, seed: u64, days: &RangeInclusive<i32>) -> Vec<DrawnLife> {
         let (mut lives, mut first): (Vec<DrawnLife>, usize) = (Vec::new(), 0);
         while first < count {
             let number = lives.len();
             let mut draw = Draw(Stream::named(seed, &format!("statements/{number}")));
-            let mut life = DrawnLife::draw(&mut draw, first, seed.wrapping_add(number as u64), days);
-            life.statements.truncate(count - first);
+            let life = DrawnLife::draw(&mut draw, first, seed.wrapping_add(number as u64), days);
             first += life.statements.len();
             lives.push(life);
         }

@@ -17,7 +17,9 @@ pub struct LifeView<'a> {
     pub life: &'a ClaimTruth,
     pub calendar: &'a Calendar,
     pub who: usize,
+    pub person: &'static str,
     pub days: i32,
+    pub up_min: f64,
     pub bed_min: f64,
     /// Days on which the resident is out for days, or another statement takes all of the time.
     pub excused: Vec<bool>,
@@ -107,7 +109,8 @@ impl LifeView<'_> {
 
     /// The time of a visitor in the home, by visit.
     pub fn stays(&self, visitor: &str) -> Option<Vec<Occurrence>> {
-        let body = self.life.body(Some(visitor), usize::MAX).filter(|body| *body != self.who)?;
+        // The other resident may have such a visitor, too.
+        let body = self.life.body(Some(&format!("{}'s {visitor}", self.person)), self.who)?;
         Some(self.life.at_home(body))
     }
 

@@ -44,7 +44,7 @@ pub struct DrawnHabit {
     pub visitor: Option<&'static str>,
     pub deed: Deed,
     /// Words after those of the deed.
-    detail: &'static str,
+    pub detail: &'static str,
     pub place: Option<DrawnPlace>,
     pub when: DrawnWhen,
     pub time: DrawnTime,

@@ -191,6 +191,13 @@ impl DrawnBase {
         base
     }
 
+    /// A sentence with a time in the morning, which is later for a person who rises late.
+    pub fn in_its_morning(&self, sentence: &str) -> String {
+        let at = |minutes: f64, earliest: f64| clock((self.up_min + minutes).max(earliest));
+        let later = sentence.replace("10:00", &at(120.0, 600.0)).replace("09:30", &at(90.0, 570.0));
+        later.replace("09:00", &at(75.0, 540.0))
+    }
+
     /// The text of the routine. A statement about rising or bedtime replaces the sentence here.
     pub fn text(&self, home: &DrawnHome, statements: &[&str], labels: &[&str]) -> String {
         let mut name = home.person.to_owned();

@@ -6,7 +6,8 @@ use super::deeds::{ANCHORS, Background};
 use super::field::{EARLY_MIN, FieldResult, GRACE_MIN, LifeView, containing, minutes};
 use super::habit::{DrawnHabit, DrawnPlace, DrawnTime};
 use crate::claims::Occurrence;
-use homebody_core::time::{HOUR, Interval, MINUTE, RunTime};
+use homebody_core::fuzzy::Fuzzy;
+use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, Span};
 use homebody_routine::routine::PartOfDay;
 
 /// Time within which an occurrence is the one of the statement, before and after its time (our choice).
@@ -17,6 +18,9 @@ const MEAN_LATE_MIN: f64 = 8.0;
 
 /// Least share of the time of an activity of spare time that is spent on it (our choice): needs interrupt it.
 const COVERED: f64 = 0.6;
+
+/// Longest pause of one occurrence (our choice): a meal with its preparation.
+const PAUSE: Span = HOUR.times(2);
 
 /// A day on which the statement may hold.
 struct Occasion {
@@ -36,6 +40,16 @@ impl DrawnHabit {
         }
         let all = match self.visitor {
             Some(visitor) => view.stays(visitor).unwrap_or_default(),
+            None if self.times.is_some() || self.deed.background == Background::Need => {
+                let mut all = view.deeds(&self.deed);
+                // By day: between rising and bedtime. At night: the rest.
+                let at_night = self.time == DrawnTime::Within(PartOfDay::Night);
+                let (up, bed) = (view.labelled("getting_up"), view.labelled("going_to_bed"));
+                let last =
+                    |of: &[Occurrence], at: RunTime| of.iter().map(|one| one.time.begin).rfind(|begin| *begin <= at);
+                all.retain(|one| (last(&up, one.time.begin) < last(&bed, one.time.begin)) == at_night);
+                all
+            }
             None => view.deeds(&self.deed),
         };
         // Which of two weeks "every other" begins with is left open.
@@ -84,8 +98,11 @@ impl DrawnHabit {
             self.host(view, all, &mut fields);
         }
         if let Some(part) = self.mostly {
-            let hours = part.hours();
-            let within = all.iter().filter(|one| is_between(one.clock_min, (hours.0 / 60.0, hours.1 / 60.0))).count();
+            let hours = match part {
+                PartOfDay::Night => (view.bed_min, view.up_min + 1440.0),
+                part => (part.hours().0 / 60.0, part.hours().1 / 60.0),
+            };
+            let within = all.iter().filter(|one| is_between(one.clock_min, hours)).count();
             let (low, high) = count_bounds(&vec![homebody_routine::routine::USUAL_SHARE; all.len()]);
             fields.push(FieldResult::range(
                 "mostly",
@@ -107,7 +124,10 @@ impl DrawnHabit {
         };
         let is_small = matches!(&self.time, DrawnTime::At { at, .. } if at.high < 300.0);
         let is_night = self.time == DrawnTime::Within(PartOfDay::Night);
+        let is_fall = self.deed.label == "fallen" || self.deed.label == "stumbling";
         let day_of = |at: RunTime| match (is_small, is_night) {
+            // From rising to rising.
+            _ if is_fall => view.life.day_of(at - Span::from_seconds(60.0 * view.up_min)),
             (true, _) => view.life.day_of(at),
             (_, true) => view.life.day_of(at - 12 * HOUR),
             _ => view.day_of(at),
@@ -208,20 +228,36 @@ impl DrawnHabit {
             fields.push(result);
         }
         if let Some((least, most)) = self.times {
-            let present = meant.iter().filter(|of| of.chance >= 1.0 || !of.found.is_empty());
-            let counts: Vec<_> = present
-                .map(|of| {
-                    let count = of.found.len() as u32;
-                    ((least..=most).contains(&count), format!("{count} on day {}", of.day + 1))
-                })
+            let counts: Vec<f64> = meant
+                .iter()
+                .filter(|of| of.chance >= 1.0 || !of.found.is_empty())
+                .map(|of| of.found.len() as f64)
                 .collect();
-            let words = if least == most { format!("{least} times") } else { format!("{least} to {most} times") };
-            fields.extend(FieldResult::most("times a day", &words, &counts));
-        } else if self.is_only() && self.deed.label != "fallen" && self.deed.label != "using_bathroom" {
+            if !counts.is_empty() {
+                let middle = f64::from(least + most) / 2.0;
+                let error = mean_error(
+                    bounds::deviation(&Fuzzy::between(f64::from(least), f64::from(most) + 0.2)),
+                    counts.len(),
+                );
+                let low = middle - error - (bounds::LEFT_OUT * middle).max(1.0 / counts.len() as f64);
+                fields.push(FieldResult::range(
+                    "times a day",
+                    low,
+                    middle + error + 0.02 * middle,
+                    mean(&counts),
+                    "times on average",
+                ));
+            }
+        } else if self.is_only() && !["fallen", "using_bathroom", "lying_awake"].contains(&self.deed.label) {
             let twice: Vec<_> = meant
                 .iter()
                 .filter(|of| !of.found.is_empty())
-                .map(|of| (of.found.len() == 1, format!("{} times on day {}", of.found.len(), of.day + 1)))
+                .map(|of| {
+                    // An activity that a meal interrupts is continued.
+                    let pauses = of.found.windows(2).filter(|pair| pair[1].time.begin - pair[0].time.end > PAUSE);
+                    let times = 1 + pauses.count();
+                    (times == 1, format!("{times} times on day {}", of.day + 1))
+                })
                 .collect();
             fields.extend(FieldResult::most("once on such a day", "once", &twice));
         }
@@ -244,6 +280,10 @@ impl DrawnHabit {
         let mut fields = Vec::new();
         let late = |gap: f64, least: f64, most: f64| (least - EARLY_MIN..=most + GRACE_MIN).contains(&gap);
         let said = |one: &Occurrence| view.clock(one.time.begin);
+        let cooking = match self.time {
+            DrawnTime::Before(anchor, _) => view.labelled(&ANCHORS[anchor].1.replace("eating", "preparing")),
+            _ => Vec::new(),
+        };
         let cases: Vec<(bool, String)> = held
             .iter()
             .filter_map(|(of, one)| {
@@ -259,8 +299,15 @@ impl DrawnHabit {
                         // Before its end, or before its beginning.
                         let (low, high) = gap.map_or((0.0, 5.0), |gap| (0.9 * gap, 1.1 * gap));
                         let lasted = minutes(end - begin);
-                        let gap = minutes(anchor.begin - begin);
-                        (low - GRACE_MIN..=high + lasted + GRACE_MIN).contains(&gap) && gap >= -EARLY_MIN
+                        // A meal begins with its preparation.
+                        let cooked = cooking
+                            .iter()
+                            .rfind(|one| one.time.begin < anchor.begin && one.time.end > anchor.begin - HOUR);
+                        let begins = [Some(anchor.begin), cooked.map(|one| one.time.begin)];
+                        begins.into_iter().flatten().any(|anchor| {
+                            let gap = minutes(anchor - begin);
+                            (low - GRACE_MIN..=high + lasted + GRACE_MIN).contains(&gap) && gap >= -EARLY_MIN
+                        })
                     }
                     (DrawnTime::With(_), _, Some(anchor)) => minutes((begin - anchor.begin).abs()) <= GRACE_MIN,
                     _ => return None,
@@ -300,8 +347,15 @@ impl DrawnHabit {
 
     fn lengths(&self, occasions: &[Occasion]) -> Vec<FieldResult> {
         let Some(length) = &self.length else { return Vec::new() };
-        let held = occasions.iter().filter(|of| of.chance > 0.0).filter_map(|of| self.meant(of));
-        let lengths: Vec<f64> = held.map(|one| minutes(one.lasted)).collect();
+        let held = occasions.iter().filter(|of| of.chance > 0.0);
+        let lengths: Vec<f64> = match self.deed.label {
+            // The toilet in the middle of the night interrupts it.
+            "lying_awake" => {
+                let nights = held.filter(|of| !of.found.is_empty());
+                nights.map(|of| of.found.iter().map(|one| minutes(one.lasted)).sum()).collect()
+            }
+            _ => held.filter_map(|of| self.meant(of)).map(|one| minutes(one.lasted)).collect(),
+        };
         if lengths.is_empty() {
             return Vec::new();
         }

@@ -3,9 +3,9 @@
 use super::bounds::count_bounds;
 use super::deeds::Deed;
 use super::draw::{Draw, DrawnLife};
-use super::field::{FieldResult, LifeView, MINUTE, minutes};
+use super::field::{FieldResult, LifeView, MINUTE, containing, minutes};
 use super::homes::{DrawnHome, clock};
-use homebody_core::time::{HOUR, RunTime};
+use homebody_core::time::{HOUR, RunTime, Span};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DrawnTrigger {
@@ -60,6 +60,9 @@ const ANSWERS: [Deed; 5] = [
 /// Largest delay of an answer in minutes (our choice): the walk, and the end of what cannot be interrupted.
 const ANSWERED_MIN: f64 = 10.0;
 
+/// A tenth of six hours, and time to finish what cannot be interrupted (our choice).
+const IN_BED_SPREAD: Span = MINUTE.times(56);
+
 /// Time that needs take in the middle of an answer, in minutes (our choice).
 const NEEDS_MIN: f64 = 20.0;
 
@@ -106,7 +109,7 @@ impl DrawnRule {
                 vec!["cousin"],
                 Trigger::Company("cousin"),
             ),
-            6 if !life.home().has_two() => (
+            6 if !life.home().has_two() && !life.base.about.contains(&"neighbour") => (
                 "being alone",
                 format!("she has been alone for {wait} minutes"),
                 vec!["her cousin visits on Wednesday and Saturday at 15:00 for 1 hour."],
@@ -135,7 +138,7 @@ impl DrawnRule {
                 vec!["getting_up", "going_to_bed"],
                 Trigger::InBed(360.0),
             ),
-            11 => (
+            11 if !life.home().has_two() => (
                 "a thing",
                 "the stove has been on for 30 minutes".into(),
                 vec!["she forgets the stove on 100 % of occasions."],
@@ -187,7 +190,7 @@ impl DrawnRule {
         DrawnRule {
             kind,
             words: format!("{start} {state}, {rule}."),
-            carriers: carriers.into_iter().map(str::to_owned).collect(),
+            carriers: carriers.into_iter().map(|carrier| life.base.in_its_morning(carrier)).collect(),
             about,
             trigger,
             answer: is_activity.then_some(of),
@@ -205,7 +208,7 @@ impl DrawnRule {
     /// When the rule is due.
     fn occasions(&self, view: &LifeView) -> Vec<RunTime> {
         use DrawnTrigger as Trigger;
-        let wait = |minutes: f64| homebody_core::time::Span::from_seconds(minutes * 60.0);
+        let wait = |minutes: f64| Span::from_seconds(minutes * 60.0);
         let lasting = |all: Vec<crate::claims::Occurrence>, least: f64| {
             all.into_iter()
                 .filter(|one| minutes(one.time.length()) > least + 1.0)
@@ -241,7 +244,10 @@ impl DrawnRule {
             let day = view.life.day_of(*at);
             day >= self.from + i32::from(self.from > 0) && *at < end && !view.is_excused(view.day_of(*at))
         };
-        let occasions: Vec<RunTime> = self.occasions(view).into_iter().filter(is_counted).collect();
+        let out = view.labelled("away");
+        // Nobody answers while out.
+        let is_home = |at: &RunTime| containing(&out, *at).is_none();
+        let occasions: Vec<RunTime> = self.occasions(view).into_iter().filter(is_counted).filter(is_home).collect();
         let mut fields = Vec::new();
         match self.trigger {
             Trigger::On(thing, least) => {
@@ -283,7 +289,7 @@ impl DrawnRule {
                     .iter()
                     .map(|due| {
                         let first = up.iter().find(|one| one.time.begin > *due - 5 * HOUR);
-                        let is_up = first.is_some_and(|one| one.time.begin <= *due + 20 * MINUTE);
+                        let is_up = first.is_some_and(|one| one.time.begin <= *due + IN_BED_SPREAD);
                         (is_up, format!("in bed since {}", view.clock(*due - 6 * HOUR)))
                     })
                     .collect();
