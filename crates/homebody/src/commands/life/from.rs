@@ -107,12 +107,15 @@ impl LifeFromArguments {
             return self.again(path);
         }
         let (text, home) = (self.text.clone().unwrap_or_default(), self.home.clone().unwrap_or_default());
+        let is_asked = !self.yes && !self.json;
+        if is_asked && !self.prompt && text == Path::new("-") {
+            return Err(Failure::asked(LifeMessage::TextAndLines));
+        }
         let opened = self.trust.source(&home)?.open()?;
         let mut conversation = Conversation::new(opened.clone(), self.resident.as_deref(), &read(&text)?)?;
         if self.prompt {
             return print_text(&conversation.prompt());
         }
-        let is_asked = !self.yes && !self.json;
         if !self.answer.is_empty() {
             for path in &self.answer {
                 conversation.take(&read(path)?)?;
@@ -120,9 +123,6 @@ impl LifeFromArguments {
             if is_asked && !conversation.is_over() {
                 return not_yet(&conversation);
             }
-        }
-        if is_asked && text == Path::new("-") {
-            return Err(Failure::asked(LifeMessage::TextAndLines));
         }
         if is_asked && !(stdin().is_terminal() && stdout().is_terminal()) {
             return self.unseen(&conversation);

@@ -15,7 +15,7 @@ homebody_core::messages! {
         NoFolder error "no-folder" ("it is not clear where the routine should be written") hint ("add --out FILE");
         /// The answer has problems, which the assistant can correct.
         NotYet { problems: usize, differences: usize } warning "not-yet"
-            ("the answer has {problems} problems, and {differences} statements do not happen as they say")
+            ("problems in the answer: {problems}; statements that do not happen as they say: {differences}")
             hint ("paste this prompt into the same chat, save its answer, and name it with another --answer; --yes takes the answer as it is");
         /// The statement needs another one that was not accepted, so it is a comment in the routine.
         NeedsOther { why: String } warning "needs-other" ("not in the routine: {why}")
