@@ -184,6 +184,13 @@ fn habit_row(habit: &Habit) -> ExplanationRow {
     let place = habit.place.as_ref().map(|place| format!("at the {place}"));
     let lasting = habit.when.lasts.as_ref().map(|lasts| format!("lasts {}", lasts_words(lasts)));
     let until = habit.when.until.as_ref().map(|until| format!("until {}", clock_words(until)));
+    let nights = match habit.when.nights {
+        0 => None,
+        1 => Some("for a night".to_owned()),
+        nights => Some(format!("for {nights} nights")),
+    };
+    let does = habit.does.iter().map(|activity| format!("and {}", phrase(activity)));
+    let does = Some(does.collect::<Vec<_>>().join(" ")).filter(|does| !does.is_empty());
     let said = [
         Some(format!("{} {who} {doing}", days_words(&habit.when.days, &habit.when.chance))),
         place,
@@ -191,6 +198,9 @@ fn habit_row(habit: &Habit) -> ExplanationRow {
         Some(when.clone()),
         lasting,
         until.clone(),
+        nights,
+        habit.key.then(|| "with a key".to_owned()),
+        does,
         Some(phase_words(&habit.when.phase)),
     ];
     let short_mostly = mostly.map_or_else(|| short_when(&habit.when.time), |part| format!("mostly {}", part.word()));

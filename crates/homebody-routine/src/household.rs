@@ -108,7 +108,6 @@ const MOST_CONDITIONS: usize = 64;
 const ORDINARY: &str = include_str!("ordinary.routine");
 
 impl Household {
-    ///
     /// Loads a scenario with its routines and their conditions. A file of the scenario takes precedence over a built-in
     /// condition of that name. The sources of the scenario then hold all texts, each read once.
     ///
@@ -209,6 +208,13 @@ impl Household {
     /// The same household as a member of a cohort: each seed makes residents differ as people do.
     pub fn one_of_many(&self) -> Household {
         Household { is_one_of_many: true, ..self.clone() }
+    }
+
+    /// The same household with another routine of a resident, such as one from values.
+    pub fn with_routine(mut self, resident: usize, routine: Routine) -> Household {
+        self.routines[resident] = Some(routine);
+        self.guests = self.find_guests();
+        self
     }
 
     pub fn routine(&self, resident: usize) -> Option<&Routine> {
@@ -348,9 +354,10 @@ impl Household {
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let HouseholdVisitor { host, name } = self.guests.get(guest)?;
             let own = on.body(home, home.numbers.of(&GUEST_PACE_MPS));
-            let (host, company) = (ResidentId::new(*host), company(Build::adult()));
+            let (who, company) =
+                ((ResidentId::new(body), ResidentId::new(*host), name.as_str()), company(Build::adult()));
             let (life, places) = (life(on.life.as_ref()?), on.places.clone());
-            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, (host, name), company)));
+            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, who, company)));
         }
         if let Some(program) = self.scripts.get(&body) {
             return Some(Box::new(self.scripted(body, program, home, on, seed)));

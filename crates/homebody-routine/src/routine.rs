@@ -69,6 +69,12 @@ pub struct Habit {
     /// The name of a place, a piece of furniture or a room, if stated.
     pub place: Option<String>,
     pub when: When,
+    /// Whether the visitor lets themselves in and out.
+    #[serde(skip_serializing_if = "is_false")]
+    pub key: bool,
+    /// Activities that the visitor does for the person, or helps with.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub does: Vec<Activity>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub falling: Option<Falling>,
 }
@@ -84,6 +90,9 @@ pub struct When {
     pub lasts: Option<Fuzzy>,
     /// End in seconds since midnight, if stated.
     pub until: Option<Fuzzy>,
+    /// Number of nights from its start to its end: of a visitor who stays, or away.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub nights: u32,
     /// The least and the most repetitions in each span that `time` names.
     pub times: (u32, u32),
 }
@@ -98,6 +107,7 @@ impl Default for When {
             time: HabitTime::AnyTime,
             lasts: None,
             until: None,
+            nights: 0,
             times: (1, 1),
         }
     }
@@ -302,6 +312,16 @@ impl Routine {
     }
 }
 
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields so")]
+fn is_zero(nights: &u32) -> bool {
+    *nights == 0
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields so")]
+fn is_false(is: &bool) -> bool {
+    !is
+}
+
 impl Habit {
     /// Whether it states the frequency of an activity by day or by night. A time, or a preceding activity, only describes
     /// one occasion.
@@ -317,7 +337,7 @@ impl Habit {
     /// Whether it replaces a usual habit: the same activity, and after the same one if several differ by that.
     pub(crate) fn stands_for(&self, usual: &Habit) -> bool {
         // A week in hospital does not replace usual outings.
-        let is_long = self.when.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
+        let is_long = self.when.nights > 0 || self.when.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
         let is_after_another = match (&self.when.time, &usual.when.time) {
             (HabitTime::After(of, _), HabitTime::After(after, _)) => usual.activity == Activity::WashUp && of != after,
             _ => false,

@@ -23,3 +23,4 @@ mod rule_effects;
 mod stage;
 mod streams;
 mod untrained_writers;
+mod visits;

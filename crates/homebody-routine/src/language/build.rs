@@ -227,8 +227,11 @@ fn habit(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: Clause) 
             time: when,
             lasts,
             until,
+            nights: 0,
             times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
         },
+        key: false,
+        does: Vec::new(),
         falling: match clause.predicate {
             Predicate::Falls(falling) => Some(falling),
             _ => None,
