@@ -248,6 +248,10 @@ activities! {
     PACING "pacing": "Walking to and fro", Other, Other, around(1.7, 0.7), [];
     LAPPING "lapping": "Walking round and round", Other, Other, around(1.7, 0.7), [];
     FALLEN "fallen": "On the floor after a fall, and getting up from there", Other, Other, around(20.0, 0.8), [];
+    WALKING "walking": "Walking to the place of an activity", Other, Other, None, [];
+    WAITING "waiting": "Waiting for a person: at an occupied place, or for a meal that is not ready",
+        Other, Other, None, [];
+    HELPING "helping": "A visitor's help with washing, dressing or another activity of the host", Other, Other, None, [];
     STUMBLING "stumbling": "Losing one's footing, and catching oneself", Other, Other, around(0.5, 0.3), [];
     RESTING "resting": "A pet sits and looks around", Leisure, Other, None, [];
     ROAMING "roaming": "A pet makes short rounds through the home, to its bowl and its places",

@@ -35,6 +35,8 @@ mod ways;
 mod lamps;
 mod sight;
 mod visit;
+mod help;
+mod labels;
 pub mod pet;
 
 use homebody_core::numbers::Number;

@@ -31,7 +31,7 @@ pub fn habit_sentence(habit: &Habit) -> String {
         _ => phrase(&habit.activity),
     };
     let place = habit.place.as_ref().map(|place| place_words(&habit.activity, place));
-    let When { time, lasts, until, .. } = &habit.when;
+    let When { time, lasts, until, nights, .. } = &habit.when;
     let lies = habit.falling.is_some_and(|falling| falling.ends == FallEnds::Rises);
     let lasting = lasts.as_ref().map(|lasts| match lies {
         true => format!("and lies there for {}", duration(lasts)),
@@ -47,6 +47,12 @@ pub fn habit_sentence(habit: &Habit) -> String {
         time_words(time).filter(|_| times_words(&habit.when).is_none() || !is_span(time)),
         lasting,
         until.as_ref().map(|until| format!("until {}", clock(until, "until"))),
+        (*nights > 0).then(|| format!("for {nights} {}", if *nights == 1 { "night" } else { "nights" })),
+        habit.key.then(|| "with a key".to_owned()),
+        (!habit.does.is_empty()).then(|| {
+            let does: Vec<String> = habit.does.iter().map(phrase).collect();
+            format!("and {}", list(&does.iter().map(String::as_str).collect::<Vec<_>>()))
+        }),
     ];
     let then = matches!(time, HabitTime::Then).then(|| "then".to_owned());
     sentence(front(&habit.when).into_iter().chain(then), &join(said, " "))
@@ -546,8 +552,8 @@ fn place_words(activity: &Activity, place: &str) -> String {
 /// As people say it of the last word of a name; "at" is always understood.
 fn preposition(place: &str) -> &'static str {
     match place.rsplit(' ').next().unwrap_or_default().to_lowercase().as_str() {
-        "armchair" | "recliner" | "bed" | "bedroom" | "bathroom" | "kitchen" | "room" | "hall" | "hallway" | "study"
-        | "garden" | "shower" | "bath" => "in",
+        "armchair" | "recliner" | "bed" | "bedroom" | "bathroom" | "kitchen" | "room" | "hall" | "hallway"
+        | "study" | "garden" | "shower" | "bath" => "in",
         "sofa" | "couch" | "toilet" | "balcony" | "terrace" => "on",
         _ => "at",
     }

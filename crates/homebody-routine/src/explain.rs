@@ -210,7 +210,12 @@ fn habit_cells(row: &mut ExplanationRow, habit: &Habit) {
     let mostly = habit.falling.and_then(|falling| falling.mostly);
     let time = mostly.map_or_else(|| short_when(&habit.when.time), |part| format!("mostly {}", part.word()));
     let until = habit.when.until.as_ref().map(|until| format!("until {}-{}", clock(until.low), clock(until.high)));
-    row.when = join([times, time, until.unwrap_or_default()].into_iter(), " ");
+    let nights = match habit.when.nights {
+        0 => String::new(),
+        1 => "1 night".to_owned(),
+        nights => format!("{nights} nights"),
+    };
+    row.when = join([times, time, until.unwrap_or_default(), nights].into_iter(), " ");
 }
 
 fn rule_cells(row: &mut ExplanationRow, rule: &RoutineRule) {

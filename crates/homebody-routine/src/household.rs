@@ -107,7 +107,6 @@ const MOST_CONDITIONS: usize = 64;
 const ORDINARY: &str = include_str!("ordinary.routine");
 
 impl Household {
-    ///
     /// Loads a scenario with its routines and their conditions. A file of the scenario takes precedence over a built-in
     /// condition of that name. The sources of the scenario then hold all texts, each read once.
     ///
@@ -351,9 +350,10 @@ impl Household {
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let HouseholdVisitor { host, name } = self.guests.get(guest)?;
             let own = on.body(home, home.numbers.of(&GUEST_PACE_MPS));
-            let (host, company) = (ResidentId::new(*host), company(Build::adult()));
+            let (who, company) =
+                ((ResidentId::new(body), ResidentId::new(*host), name.as_str()), company(Build::adult()));
             let (life, places) = (life(on.life.as_ref()?), on.places.clone());
-            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, (host, name), company)));
+            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, who, company)));
         }
         if let Some(program) = self.scripts.get(&body) {
             return Some(Box::new(self.scripted(body, program, home, on, seed)));

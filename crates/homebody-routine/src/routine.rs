@@ -82,6 +82,12 @@ pub struct Habit {
     pub place: Option<String>,
     #[serde(default)]
     pub when: When,
+    /// Whether the visitor lets themselves in and out.
+    #[serde(default, skip_serializing_if = "is_usual")]
+    pub key: bool,
+    /// Activities that the visitor does for the person, or helps with.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub does: Vec<Activity>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub falling: Option<Falling>,
 }
@@ -104,12 +110,15 @@ pub struct When {
     /// End in seconds since midnight, if stated.
     #[serde(rename = "until_s", skip_serializing_if = "Option::is_none")]
     pub until: Option<Fuzzy>,
+    /// Number of nights from its start to its end: of a visitor who stays, or away.
+    #[serde(skip_serializing_if = "is_usual")]
+    pub nights: u32,
     /// The least and the most repetitions in each span that `time` names.
     #[serde(skip_serializing_if = "is_once")]
     pub times: (u32, u32),
     /// Whether `times` are all repetitions of the activity in that span: those with a time of their own, which other
     /// habits state, count as some of them. Otherwise they are additional.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(skip_serializing_if = "is_usual")]
     pub is_total: bool,
 }
 
@@ -131,6 +140,7 @@ impl Default for When {
             time: HabitTime::default(),
             lasts: None,
             until: None,
+            nights: 0,
             times: (1, 1),
             is_total: false,
         }
@@ -372,7 +382,7 @@ impl Habit {
     /// Whether it replaces a usual habit: the same activity, and after the same one if several differ by that.
     pub(crate) fn stands_for(&self, usual: &Habit) -> bool {
         // A week in hospital does not replace usual outings.
-        let is_long = self.when.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
+        let is_long = self.when.nights > 0 || self.when.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
         let is_after_another = match (&self.when.time, &usual.when.time) {
             (HabitTime::After(of, _), HabitTime::After(after, _)) => usual.activity == Activity::WashUp && of != after,
             _ => false,

@@ -25,3 +25,4 @@ mod stage;
 mod statements_page;
 mod streams;
 mod untrained_writers;
+mod visits;

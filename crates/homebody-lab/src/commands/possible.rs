@@ -1,20 +1,22 @@
 use super::evaluation::evaluate_each;
 use super::locate::is_person;
 use crate::messages::ExperimentMessage;
-use crate::possible::{HouseholdTruth, ImpossibleEvents, ScenarioRow};
+use crate::possible::{HouseholdHome, HouseholdTruth, ImpossibleEvents, ScenarioRow};
 use crate::simulated::each_step;
 use homebody::shared::{Failure, Trust, print_json, print_text};
 use homebody_core::drivers::error::DriverError;
+use homebody_core::role::Role;
 use homebody_core::run::{DriverProvider, Run};
+use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, HOUR};
 use homebody_simulation::{OpenScenario, Template};
 use std::path::PathBuf;
 
 /// Count impossible events in simulations
 ///
-/// Impossible events are two people in one spot or walking through each other, visits to an empty home, meals eaten before they are
-/// cooked, and intervals that end before they begin. Without a scenario, Homebody simulates all templates. The exit code is 1 if an
-/// impossible event occurs.
+/// Impossible events are people who touch in passing or wait for many minutes, activities of the bathroom in other rooms, passages of a
+/// shut front door, visits without a host or a visitor, meals eaten before they are cooked, and rows without length. Without a scenario,
+/// Homebody simulates all templates. The exit code is 1 if an impossible event occurs.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody-lab possible
@@ -67,7 +69,8 @@ fn simulate(opened: &OpenScenario, days: u32) -> Result<ScenarioRow, DriverError
     let hosts = guests.iter().enumerate().filter_map(|(guest, name)| Some((residents + guest, host_of(name)?)));
     let are_people: Vec<bool> = (0..residents + guests.len()).map(|body| is_person(household, body)).collect();
     let people = are_people.iter().filter(|&&is| is).count();
-    let mut lives = HouseholdTruth::new(are_people, hosts.collect());
+    let home = household_home(&scenario);
+    let mut lives = HouseholdTruth::new(are_people, hosts.collect(), home);
     let mut run = Run::new(&scenario, household, scenario.file.seed, i64::from(days) * DAY);
     each_step(&mut run, HOUR, |events| events.facts.iter().for_each(|fact| lives.take(fact)))?;
     Ok(ScenarioRow {
@@ -76,4 +79,21 @@ fn simulate(opened: &OpenScenario, days: u32) -> Result<ScenarioRow, DriverError
         visits: lives.visits(),
         impossible: lives.impossible(),
     })
+}
+
+/// The front door and the bathrooms, by roles and names.
+fn household_home(scenario: &Scenario) -> HouseholdHome {
+    let (home, plan) = (&scenario.home, scenario.home.plan());
+    let is_of = |role: Role, name: &str| {
+        let piece = home.furniture.iter().find(|piece| piece.name == name);
+        piece.and_then(|piece| piece.role).map_or_else(|| role.is_called(&name.to_lowercase()), |said| said == role)
+    };
+    let mut are_bathrooms = vec![false; plan.rooms.len()];
+    for (name, at) in &plan.places {
+        let room = plan.room_at(*at).filter(|_| is_of(Role::Toilet, name) || is_of(Role::Shower, name));
+        room.into_iter().for_each(|room| are_bathrooms[room] = true);
+    }
+    let outside = home.doors.iter().position(|door| door.outside);
+    let front_door = outside.or_else(|| Role::FrontDoor.row().names.iter().find_map(|name| plan.thing(name)));
+    HouseholdHome { front_door, are_bathrooms }
 }

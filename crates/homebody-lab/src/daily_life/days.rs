@@ -4,6 +4,7 @@ use super::nights::IN_BED;
 use super::record::{BodyMovement, HALF_HOUR, PersonRecord, minutes, overlap_h, speed_mps};
 use homebody_core::activity::{
     AWAY, DRINKING, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, HAVING_A_SNACK, NAPPING, TimeUse, USING_BATHROOM,
+    WAITING, WALKING,
 };
 use homebody_core::posture::Posture;
 use homebody_core::statistics::{mean, sd};
@@ -50,10 +51,14 @@ impl DailyFigures {
         let begun = |names: &[&str]| -> Vec<&Episode> {
             activities.iter().filter(|one| names.contains(&&*one.label) && span.contains(one.time.begin)).collect()
         };
-        let visits =
-            activities.windows(2).filter(|pair| pair[1].label == USING_BATHROOM && !IN_BED.contains(&&*pair[0].label));
+        // The way there and a wait are rows of their own.
+        let at_their_place: Vec<&Episode> =
+            activities.iter().filter(|one| ![WALKING, WAITING].contains(&&*one.label)).collect();
+        let visits = at_their_place
+            .windows(2)
+            .filter(|pair| pair[1].label == USING_BATHROOM && !IN_BED.contains(&&*pair[0].label));
         let toilet: Vec<&Episode> =
-            visits.map(|pair| &pair[1]).filter(|visit| span.contains(visit.time.begin)).collect();
+            visits.map(|pair| pair[1]).filter(|visit| span.contains(visit.time.begin)).collect();
         let naps: Vec<&Episode> = begun(&[NAPPING]);
         let mut eaten = vec![[false; MEALS.len()]; days];
         for meal in begun(&MEALS) {

@@ -9,13 +9,14 @@
 
 use super::defaults;
 use super::drafts::{Drafts, ItemDraft, ItemStart, Resolved};
+use super::help;
 use super::item::{Follows, Item};
 use super::resident_routine::{DayParameters, InForce, ResidentRoutine};
 use super::rising::{bed, is_bedtime, of_time, sleeps_at, up, varied, varied_length, within_the_day};
 use crate::routine::{Activity, FallsFrom, Habit, HabitTime, Meal, PartOfDay, USUAL_SHARE};
 use homebody_core::activity::UsualLength;
 use homebody_core::fuzzy::Fuzzy;
-use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, SECOND, Span};
+use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, SECOND, Span};
 
 #[derive(Clone, Debug)]
 pub struct Agenda {
@@ -81,10 +82,12 @@ impl Agenda {
         }
         let (Resolved { mut items, breaks: while_busy, mornings, .. }, mut breaks, bathroom) = planned;
         breaks.extend(while_busy);
+        help::share(&mut items, &mut breaks, &life.numbers);
         items.sort_by_key(|item| item.start);
         let ready = ready(life, up, &items, &mornings);
         // After a late rising, overdue activities are dropped; stated times in the future stay.
-        let waits = |item: &Item| item.start < if item.is_unsaid { ready } else { up };
+        // A visitor rings at their time.
+        let waits = |item: &Item| item.visitor.is_none() && item.start < if item.is_unsaid { ready } else { up };
         for item in items.iter_mut().filter(|item| waits(item) && !mornings.contains(&item.key)) {
             item.latest += ready - item.start;
             item.start = ready;
@@ -154,6 +157,13 @@ fn count_at_home(breaks: &mut [Item], items: &[Item], up: RunTime, bed: RunTime)
 
 /// Time until which it is night (our choice). An activity of a later hour is overdue for a person who sleeps longer.
 const NIGHT_S: f64 = 6.0 * HOUR_S;
+
+/// Time until which a visit belongs to the night before (our choice): carers come from five on.
+const NIGHT_OF_VISITS_S: f64 = 4.0 * HOUR_S;
+
+/// Time at which a stay of one night ends, and one of several, if no other is stated (our choice).
+const AFTER_A_NIGHT: Fuzzy = Fuzzy { low: 9.5 * HOUR_S, from: 10.0 * HOUR_S, to: 11.0 * HOUR_S, high: 11.5 * HOUR_S };
+const AFTER_NIGHTS: Fuzzy = Fuzzy { low: 14.0 * HOUR_S, from: 15.0 * HOUR_S, to: 17.0 * HOUR_S, high: 18.0 * HOUR_S };
 
 /// Longest duration, in days (our choice).
 const MOST_DAYS: f64 = 400.0;
@@ -427,17 +437,26 @@ impl Planner<'_> {
             known => (start, known),
         };
         let start = start.saturating_add(if matches!(known, ItemStart::Known) { later } else { Span::ZERO });
-        if matches!(habit.when.time, HabitTime::At(_))
-            && self.is_before_rising(start, time.day) != (time.day > self.day)
-        {
+        let is_before_rising = match &habit.visitor {
+            Some(_) => start < self.life.instant(time.day, NIGHT_OF_VISITS_S),
+            None => self.is_before_rising(start, time.day),
+        };
+        if matches!(habit.when.time, HabitTime::At(_)) && is_before_rising != (time.day > self.day) {
             return None;
         }
         let stated_by = match &habit.when.time {
             HabitTime::At(time) => at(time.high).saturating_add(later),
             _ => RunTime::MIN,
         };
-        let until_share = || self.life.stream_of_day(time.day, &format!("{key}/until")).unit();
-        let until = habit.when.until.map(|until| at(varied(&until, until_share(), parameters.irregular)));
+        let until = self.end_of(habit, &key, time.day);
+        // A visit until two in the morning ends on the next day.
+        let is_over_midnight = |until: RunTime| habit.visitor.is_some() && known == ItemStart::Known && until <= start;
+        let until = until.map(|until| if is_over_midnight(until) { until + DAY } else { until });
+        let is_long = habit.visitor.is_some() || habit.when.nights > 0;
+        let lasts = match until.filter(|_| is_long && known == ItemStart::Known && habit.when.lasts.is_none()) {
+            Some(until) => (until.saturating_add(later) - start).max(SECOND),
+            None => lasts,
+        };
         let item = Item {
             activity,
             place: habit.place.clone(),
@@ -454,6 +473,9 @@ impl Planner<'_> {
             waits: source == ResidentRoutine::UNSAID,
             has_its_time: source != ResidentRoutine::UNSAID
                 && !matches!(when, HabitTime::AnyTime | HabitTime::Within(_)),
+            has_key: habit.key,
+            does: habit.does.clone(),
+            is_let_in: false,
             is_counted: matches!(when, HabitTime::AnyTime) && (time.of > 1 || habit.activity == Activity::UseBathroom),
             follows: None,
             key,
@@ -472,6 +494,19 @@ impl Planner<'_> {
         let later = Span::from_seconds(parameters.later_s(&item.activity));
         self.drafts.list.push(ItemDraft { item, start: known, later, is_left_out: false });
         Some(ItemStart::Then(self.drafts.list.len() - 1))
+    }
+
+    /// The stated end, which is on a later day after nights.
+    fn end_of(&self, habit: &Habit, key: &str, day: i32) -> Option<RunTime> {
+        let share = || self.life.stream_of_day(day, &format!("{key}/until")).unit();
+        let nights = habit.when.nights;
+        let time_s = match (habit.when.until, nights) {
+            (Some(until), _) => varied(&until, share(), self.parameters.irregular),
+            (None, 0) => return None,
+            (None, 1) => AFTER_A_NIGHT.at(share()),
+            (None, _) => AFTER_NIGHTS.at(share()),
+        };
+        Some(self.life.instant(day.saturating_add(nights.min(MOST_DAYS as u32) as i32), time_s))
     }
 
     /// The time of one repetition. A fall with a usual part of the day has it with the usual share.

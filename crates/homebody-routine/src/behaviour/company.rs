@@ -16,9 +16,9 @@ use std::sync::Arc;
 
 homebody_core::numbers! {
     /// Distance from a seat, a side of a bed or a place to stand within which a person occupies it.
-    static TAKEN_M = "company.taken": 0.4, "m", [0.05, 1.5];
+    static TAKEN_M = "company.taken": 0.45, "m", [0.05, 1.5];
     /// Smallest distance to another person who stands, as a share of the sum of both radii.
-    static ELBOWS = "company.elbows": 0.8, "1", [0.0, 2.0];
+    static ELBOWS = "company.elbows": 1.0, "1", [0.0, 2.0];
     /// Distance from the door within which a person stands at it.
     static AT_DOOR_M = "company.at_door": 1.5, "m", [0.3, 5.0];
 }
@@ -44,13 +44,14 @@ pub struct Company {
     elbows: f64,
     taken_m: f64,
     at_door_m: f64,
-    is_door_open: bool,
+    /// `None` in a household of one person without visitors.
+    is_door_open: Option<bool>,
 }
 
 impl Company {
     pub fn new(people: Arc<HouseholdMembers>, radius_m: f64, numbers: &homebody_core::numbers::Numbers) -> Company {
         let [elbows, taken_m, at_door_m] = [&ELBOWS, &TAKEN_M, &AT_DOOR_M].map(|number| numbers.of(number));
-        let (others, is_door_open) = (Vec::new(), false);
+        let (others, is_door_open) = (Vec::new(), None);
         Company { people, others, radius_m, elbows, taken_m, at_door_m, is_door_open }
     }
 
@@ -61,7 +62,33 @@ impl Company {
         }
         let is_person = |body: &PlacedBody| self.people.are_people.get(body.resident.index()).is_none_or(|&is| is);
         self.others.extend(around.others().filter(is_person));
-        self.is_door_open = places.thing(Role::FrontDoor).is_some_and(|thing| around.is_on(ThingId(thing)));
+        self.is_door_open = places.thing(Role::FrontDoor).map(|thing| around.is_on(ThingId(thing)));
+    }
+
+    pub fn has_visitors(&self) -> bool {
+        !self.people.visitors.is_empty()
+    }
+
+    /// Whether the front door is open (true) or shut (false), as far as others may have left it so.
+    pub fn is_door(&self, open: bool) -> bool {
+        self.is_door_open == Some(open)
+    }
+
+    pub fn body(&self, who: ResidentId) -> Option<&PlacedBody> {
+        self.others.iter().find(|other| other.resident == who)
+    }
+
+    /// Whether a person sits at a place.
+    pub fn sits_at(&self, who: ResidentId, place: &HomePlace) -> bool {
+        let sits = |other: &PlacedBody| {
+            let seats = [place.at].into_iter().chain(place.sides.iter().copied());
+            other.posture == Posture::Sitting && seats.into_iter().any(|at| at.distance(other.at) < self.taken_m)
+        };
+        self.body(who).is_some_and(sits)
+    }
+
+    pub fn is_at_door(&self, who: ResidentId, door: &HomePlace) -> bool {
+        self.body(who).is_some_and(|other| other.at.distance(door.at) < self.at_door_m)
     }
 
     pub fn is_alone(&self) -> bool {
@@ -70,10 +97,6 @@ impl Company {
 
     pub fn places(&self) -> Vec<Point> {
         self.others.iter().map(|other| other.at).collect()
-    }
-
-    pub fn is_there(&self, who: ResidentId) -> bool {
-        self.others.iter().any(|other| other.resident == who)
     }
 
     /// Occupied, or the end or start of a current movement.
@@ -124,7 +147,9 @@ impl Company {
     }
 
     pub fn has_room(&self, at: Point) -> bool {
-        self.others.iter().all(|other| nearness(other, at) > 2.0 * self.reach_m(other))
+        /// Factor on the distance that people in passing keep (our choice).
+        const ROOM: f64 = 1.6;
+        self.others.iter().all(|other| nearness(other, at) > ROOM * self.reach_m(other))
     }
 
     fn reach_m(&self, other: &PlacedBody) -> f64 {
@@ -148,8 +173,8 @@ impl Company {
 
     /// Whether a person stands at the open door to let the visitor in.
     pub fn opens(&self, who: ResidentId, door: &HomePlace) -> bool {
-        let is_at_door = |other: &&PlacedBody| other.resident == who && other.at.distance(door.at) < self.at_door_m;
-        self.is_door_open && self.others.iter().find(is_at_door).is_some_and(|other| other.posture == Posture::Standing)
+        let is_standing = self.body(who).is_some_and(|other| other.posture == Posture::Standing);
+        self.is_door(true) && is_standing && self.is_at_door(who, door)
     }
 
     /// Whether another person is busy at the stove, because a cold breakfast uses none.

@@ -4,10 +4,14 @@
 //! one waits, and after long enough squeezes past.
 
 use super::body::THERE_M;
+use super::current_activity::{Playing, WalkPurpose};
 use super::driver::RoutineDriver;
+use super::item::Item;
 use super::manner::Manner;
 use super::places::HomePlace;
 use super::script::{ActivityStep, Interruptible, StayStep};
+use crate::routine::Activity;
+use homebody_core::activity::VISITING;
 use homebody_core::drivers::{Next, PlacedBody};
 use homebody_core::geometry::{self, Point};
 use homebody_core::motion::{MotionSegment, MotionState};
@@ -22,15 +26,24 @@ const PAUSES_FOR_STANDING: u32 = 4;
 const PAUSES_FOR_WALKING: u32 = 12;
 /// Additional waits for each rank in the scenario's order of residents (our choice): the first one goes first.
 const PAUSES_BY_RANK: u32 = 6;
-/// Largest number of waits, after which the person turns back for a while (our choice).
+/// Largest number of waits, after which the person turns back for a while (our choice), and how much earlier those of a higher
+/// rank do. Two who meet in a narrow place do not turn back together.
 const PAUSES_AT_MOST: u32 = 40;
+const EARLIER_BY_RANK: u32 = 7;
+const PAUSES_AT_LEAST: u32 = 6;
 /// Share of the usual distance that is kept from a person who does not move (our choice).
-const SQUEEZED: f64 = 0.6;
+const SQUEEZED: f64 = 0.75;
 /// Distance after which a walking person checks the way again (our choice).
 const PIECE_M: f64 = 0.6;
-/// Time of one wait for a seat or a place, and number of waits (our choice).
+/// Time of one wait for a seat or a place (our choice).
 const QUEUE: Span = SECOND.times(20);
-const MOST_QUEUES: u32 = 60;
+/// Number of waits after which a person does something else for a while, and number of all waits (our choice): half an hour.
+const WAITS_IN_A_ROW: u32 = 3;
+const MOST_WAITS: u32 = 24;
+/// Duration of something else that a person does (our choice).
+const SOMETHING_ELSE: Span = MINUTE.times(3);
+/// Distance that a waiting person keeps from places that others use (our choice).
+const ASIDE_M: f64 = 0.6;
 /// Interval at which a person who rings checks whether the door opens (our choice).
 const RING: Span = SECOND.times(4);
 
@@ -60,14 +73,8 @@ impl RoutineDriver {
                 return self.turn_away();
             }
             if goal.at.distance(to) < THERE_M {
-                if std::mem::take(&mut self.pushes_through) {
-                    return;
-                }
                 return self.last_steps(now, here, to);
             }
-        }
-        if self.pushes_through {
-            return;
         }
         let Some(other) = self.company.in_the_way(here, to, 1.0).copied() else {
             self.pauses = 0;
@@ -86,10 +93,7 @@ impl RoutineDriver {
     fn last_steps(&mut self, now: RunTime, here: Point, to: Point) {
         let Some(other) = self.company.in_the_way(here, to, SQUEEZED).copied() else { return };
         if other.at != other.to {
-            if self.pauses < PAUSES_FOR_WALKING {
-                self.pauses += 1;
-                self.pause(now, here);
-            }
+            self.wait_or_turn_back(now, here);
         } else if let Some(way) = self.way_round(&other, here, to, SQUEEZED)
             && let Some(Next::Segment(whole)) = self.ready.front().cloned()
             && whole.end - whole.begin > Span::MICROSECOND
@@ -106,11 +110,12 @@ impl RoutineDriver {
     }
 
     fn wait_or_turn_back(&mut self, now: RunTime, here: Point) {
-        if self.pauses < PAUSES_AT_MOST {
+        let most = PAUSES_AT_MOST.saturating_sub(EARLIER_BY_RANK * self.rank).max(PAUSES_AT_LEAST);
+        if self.pauses < most {
             self.pauses += 1;
             self.pause(now, here);
         } else {
-            self.turn_back();
+            self.turn_back(now);
         }
     }
 
@@ -195,16 +200,12 @@ impl RoutineDriver {
         }
     }
 
-    /// No way past: the rest of the way follows later. After turning back too often, the resident pushes through.
-    fn turn_back(&mut self) {
+    /// No way past: the rest of the way follows later.
+    fn turn_back(&mut self, now: RunTime) {
         self.pauses = 0;
         self.ready.retain(|next| !matches!(next, Next::Segment(_)));
-        let Some(goal) = self.body.spot().cloned() else { return };
-        if !self.queue(goal.clone()) {
-            self.pushes_through = true;
-            if let Some(playing) = self.scripts.last_mut() {
-                playing.steps.push_front(ActivityStep::Go(goal));
-            }
+        if let Some(goal) = self.body.spot().cloned() {
+            self.wait_for(goal, now);
         }
     }
 
@@ -226,7 +227,8 @@ impl RoutineDriver {
         if self.company.is_alone() {
             return true;
         }
-        let room = spot.room.filter(|&room| self.places.is_bathroom(room) && self.body.room() != Some(room));
+        let is_exclusive = |room: usize| self.places.is_bathroom(room) && self.body.room() != Some(room);
+        let room = spot.room.filter(|&room| is_exclusive(room) && !self.stay.helps);
         if self.company.is_taken(at) || room.is_some_and(|room| self.company.is_room_occupied(room, &self.home.plan)) {
             return false;
         }
@@ -235,53 +237,141 @@ impl RoutineDriver {
         way.is_none_or(|way| !self.company.sits_between(way, at))
     }
 
-    /// Waits for an occupied place; false after waiting long enough.
-    pub(super) fn queue(&mut self, spot: HomePlace) -> bool {
-        self.queues += 1;
-        if self.queues > MOST_QUEUES {
-            self.queues = 0;
+    /// Waits for an occupied place: first stands aside, then does something else in between. Gives up after long enough.
+    pub(super) fn wait_for(&mut self, spot: HomePlace, now: RunTime) {
+        let Some(playing) = self.scripts.last_mut() else { return };
+        // A place to step aside to is only one of many.
+        if matches!(playing.steps.front(), Some(ActivityStep::Wait(_))) {
+            return;
+        }
+        playing.waits += 1;
+        if playing.waits > MOST_WAITS || playing.is_in_between {
+            playing.waits = 0;
+            return self.give_up(true, now);
+        }
+        if self.does_next_first(&spot) {
+            return;
+        }
+        let Some(playing) = self.scripts.last_mut() else { return };
+        let has_waited = playing.waits.is_multiple_of(WAITS_IN_A_ROW);
+        if has_waited && playing.does_without_place() {
+            return;
+        }
+        playing.steps.push_front(ActivityStep::Go(spot));
+        self.wait_here_or_do_something(has_waited);
+    }
+
+    /// A wait, or, from time to time, something else that leaves no running water and no food on the stove.
+    fn wait_here_or_do_something(&mut self, has_waited: bool) {
+        let Some(playing) = self.scripts.last() else { return };
+        let is_in_use = playing
+            .steps
+            .iter()
+            .any(|step| matches!(step, ActivityStep::Act(thing, false) if self.watches.is_on(*thing)));
+        let can_leave = !is_in_use && self.visitor.is_none() && !playing.is_in_between;
+        let is_in_bed = self.body.posture() == Posture::Lying;
+        if has_waited && can_leave {
+            let key = format!("{SOMETHING}{}", self.times(&Activity::Other(SOMETHING.into())));
+            self.begin(&Item::now(key, if is_in_bed { Activity::LieAwake } else { Activity::Relax }, SOMETHING_ELSE));
+            let below = self.scripts.len().checked_sub(2).and_then(|index| self.scripts.get_mut(index));
+            if let Some(below) = below {
+                below.spot = None;
+            }
+            if let Some(playing) = self.scripts.last_mut() {
+                (playing.is_in_between, playing.hears_the_bell) = (true, true);
+                for step in &mut playing.steps {
+                    if let ActivityStep::Stay(stay) = step {
+                        stay.may = Interruptible::Rules;
+                    }
+                }
+            }
+            return;
+        }
+        let aside = self.place_aside();
+        let posture = if aside.is_some() { Posture::Standing } else { self.body.posture() };
+        let Some(playing) = self.scripts.last_mut() else { return };
+        let wait = StayStep { posture, manner: Manner::STILL, left: QUEUE, until: None, may: Interruptible::Rules };
+        playing.steps.push_front(ActivityStep::Wait(wait));
+        if let Some(aside) = aside {
+            playing.steps.push_front(ActivityStep::Go(aside));
+        }
+    }
+
+    /// Of two places of one activity, such as sink and counter, takes the free one first.
+    fn does_next_first(&mut self, spot: &HomePlace) -> bool {
+        let Some(playing) = self.scripts.last() else { return false };
+        if playing.walks != WalkPurpose::Cooking {
             return false;
         }
-        let (posture, here) = (self.body.posture(), self.body.at());
-        let waits_elsewhere = self.waiting_place(here);
+        let ways = playing.steps.iter().enumerate().filter(|(_, step)| matches!(step, ActivityStep::Go(_)));
+        let ways: Vec<usize> = ways.map(|(index, _)| index).take(2).collect();
+        let Some(&next) = ways.first() else { return false };
+        let end = ways.get(1).copied().unwrap_or(playing.steps.len());
+        let Some(ActivityStep::Go(other)) = playing.steps.get(next).cloned() else { return false };
+        let turned = |from: usize, to: usize, wanted: bool| {
+            playing.steps.range(from..to).filter_map(move |step| match step {
+                ActivityStep::Act(thing, on) if *on == wanted => Some(*thing),
+                _ => None,
+            })
+        };
+        let belong = turned(0, next, true).any(|thing| turned(next, end, false).any(|other| other == thing));
+        let only_moves =
+            |step: &ActivityStep| matches!(step, ActivityStep::Act(..) | ActivityStep::Stay(_) | ActivityStep::Go(_));
+        if belong || !playing.steps.range(..end).all(only_moves) || self.free_spot(other).is_none() {
+            return false;
+        }
         let Some(playing) = self.scripts.last_mut() else { return false };
-        playing.steps.push_front(ActivityStep::Go(spot));
-        let posture = if waits_elsewhere.is_some() { Posture::Standing } else { posture };
-        playing.steps.push_front(staying(posture, Manner::STILL, QUEUE));
-        if let Some(way) = waits_elsewhere {
-            playing.steps.push_front(way);
+        let blocked: Vec<ActivityStep> =
+            [ActivityStep::Go(spot.clone())].into_iter().chain(playing.steps.drain(..next)).collect();
+        for (index, step) in blocked.into_iter().enumerate() {
+            playing.steps.insert(end - next + index, step);
         }
         true
     }
 
-    /// A free point of the room for a resident who stands too near to another person.
-    fn waiting_place(&mut self, here: Point) -> Option<ActivityStep> {
-        /// Number of points of the room that are tried (our choice).
+    /// A free point for a person who stands too near to another, or where others want to be; in the room, else in another.
+    fn place_aside(&mut self) -> Option<HomePlace> {
+        /// Number of points of a room, and of rooms, that are tried (our choice).
         const TRIES: usize = 20;
-        if self.company.has_room(here) {
+        const ROOMS: usize = 4;
+        let (here, own) = (self.body.at(), self.body.room()?);
+        let used = self.places.all().iter().filter(|spot| spot.posture == Posture::Standing && !spot.is_room);
+        let used: Vec<Point> = used.map(|spot| spot.at).collect();
+        let is_aside = |at: Point| self.company.has_room(at) && used.iter().all(|used| used.distance(at) > ASIDE_M);
+        if self.body.posture() != Posture::Standing || is_aside(here) {
             return None;
         }
-        let (mesh, room) = (self.body.mesh().clone(), self.body.room()?);
+        let (mesh, plan) = (self.body.mesh().clone(), &self.home.plan);
+        let mut rooms: Vec<(usize, Point)> = self
+            .places
+            .all()
+            .iter()
+            .filter(|spot| spot.is_room && spot.is_reachable)
+            .filter_map(|spot| Some((spot.room?, spot.at)))
+            .filter(|(room, _)| *room != own && !self.places.is_bathroom(*room))
+            .collect();
+        rooms.sort_by(|a, b| a.1.distance(here).total_cmp(&b.1.distance(here)));
         let stream = &mut self.scripts.last_mut()?.stream;
-        let at = (0..TRIES).map(|_| mesh.free_point(room, stream)).find(|&at| self.company.has_room(at))?;
-        Some(ActivityStep::Go(HomePlace::to_stand(at, room)))
+        for room in [own].into_iter().chain(rooms.into_iter().map(|(room, _)| room).take(ROOMS)) {
+            let free = (0..TRIES)
+                .map(|_| mesh.free_point(room, stream))
+                .filter(|&at| is_aside(at) && plan.room_at(at) == Some(room));
+            if let Some(at) = free.min_by(|a, b| a.distance(here).total_cmp(&b.distance(here))) {
+                return Some(HomePlace::to_stand(at, room));
+            }
+        }
+        None
     }
 
     /// The host waits at the door until the visitor is in, or gone, or does not come in time.
     pub(super) fn await_visitor(&mut self, arrival: bool, left: Span) {
-        let Some(visitor) = self.guest else { return };
-        if self.company.is_here(visitor) == arrival {
+        let guest = self.scripts.last().and_then(|playing| playing.guest);
+        if guest.is_none_or(|guest| self.company.is_here(guest.who) == arrival) {
             return;
         }
-        let aside = if arrival { self.beside_the_door() } else { None };
         let posture = self.body.posture();
         let Some(playing) = self.scripts.last_mut() else { return };
         if left > Span::ZERO {
-            if let Some(aside) = aside {
-                playing.steps.push_front(ActivityStep::Await { arrival, left });
-                playing.steps.push_front(ActivityStep::Go(aside));
-                return;
-            }
             playing.steps.push_front(ActivityStep::Await { arrival, left: left - RING });
             playing.steps.push_front(staying(posture, Manner::TALKING, RING));
         } else if arrival {
@@ -290,14 +380,11 @@ impl RoutineDriver {
         }
     }
 
-    /// A place next to the door, for a host who blocks the doorway.
-    fn beside_the_door(&self) -> Option<HomePlace> {
+    /// A place next to the door, for a host who leaves the doorway to a visitor.
+    pub(super) fn beside_the_door(&self) -> Option<HomePlace> {
         /// Distance from it, in metres (our choice).
         const ASIDE_M: f64 = 0.8;
         let door = self.places.for_role(Role::FrontDoor)?;
-        if self.body.at().distance(door.at) > ASIDE_M / 2.0 {
-            return None;
-        }
         let around = (0..16).map(|part| door.at + geometry::direction(f64::from(part) * 22.5) * ASIDE_M);
         let is_open = |&at: &Point| {
             let mesh = self.body.mesh();
@@ -310,8 +397,7 @@ impl RoutineDriver {
     /// Waits outside while the doorway is occupied. A visitor also waits for the host to open, and leaves otherwise.
     pub(super) fn ring(&mut self, left: Span, now: RunTime) {
         let is_visitor = self.visitor.is_some();
-        // A host who cannot come to the door needs help.
-        let has_key = is_visitor && self.company.lies(self.host);
+        let has_key = self.opens_the_door();
         let may_come_in = |door: &HomePlace| {
             let is_let_in = !is_visitor || has_key || self.company.opens(self.host, door);
             is_let_in && !self.company.is_occupied(door.at)
@@ -322,7 +408,9 @@ impl RoutineDriver {
         let Some(playing) = self.scripts.last_mut() else { return };
         if let Some(handle) = handle {
             playing.steps.push_front(ActivityStep::Act(handle, false));
+            playing.steps.push_front(staying(Posture::Standing, Manner::BUSY, RING));
             playing.steps.push_front(ActivityStep::Act(handle, true));
+            playing.steps.push_front(ActivityStep::Name(VISITING.into()));
         }
         if comes_in || (!is_visitor && left <= Span::ZERO) {
             return;
@@ -338,23 +426,45 @@ impl RoutineDriver {
         self.ready.push_back(Next::Segment(outside));
     }
 
-    /// Whether the host of a visitor is away.
-    pub(super) fn is_host_away(&self) -> bool {
-        self.visitor.is_some() && !self.stays_over && !self.company.is_here(self.host)
-    }
-
     /// Waits to eat while another person cooks.
     pub(super) fn await_meal(&mut self, left: Span) {
         let is_cooking = self.places.for_role(Role::Stove).is_some_and(|stove| self.company.cooks(stove));
         if !is_cooking || left <= Span::ZERO {
             return;
         }
-        let posture = self.body.posture();
         let Some(playing) = self.scripts.last_mut() else { return };
-        playing.steps.push_front(ActivityStep::AwaitMeal { left: left - MINUTE / 3 });
-        playing.steps.push_front(staying(posture, Manner::STILL, MINUTE / 3));
+        playing.waits += 1;
+        let has_waited = playing.waits.is_multiple_of(WAITS_IN_A_ROW);
+        let lasts = if has_waited { SOMETHING_ELSE } else { QUEUE };
+        playing.steps.push_front(ActivityStep::AwaitMeal { left: left - lasts });
+        self.wait_here_or_do_something(has_waited);
+    }
+
+    /// Whether another person has turned a thing on or off already.
+    pub(super) fn is_done_by_other(&self, thing: u32, on: bool) -> bool {
+        self.places.thing(Role::FrontDoor) == Some(thing) && self.company.is_door(on)
     }
 }
+
+impl Playing {
+    /// Leaves out an occupied place of an activity that has begun, such as the washbasin after a shower, unless a thing stays on or
+    /// the activity ends there.
+    fn does_without_place(&mut self) -> bool {
+        let next = self.steps.iter().position(|step| matches!(step, ActivityStep::Go(_))).unwrap_or(self.steps.len());
+        let is_plain = |step: &ActivityStep| matches!(step, ActivityStep::Act(..) | ActivityStep::Stay(_));
+        let turned = |on: bool| {
+            self.steps.range(..next).filter(move |step| matches!(step, ActivityStep::Act(_, is) if *is == on)).count()
+        };
+        let can = self.is_there && self.steps.range(..next).all(is_plain) && turned(true) == turned(false);
+        if can {
+            self.steps.drain(..next);
+        }
+        can
+    }
+}
+
+/// The key of what fills a wait.
+const SOMETHING: &str = "in between/";
 
 /// A stay that only rules interrupt.
 fn staying(posture: Posture, manner: Manner, left: Span) -> ActivityStep {

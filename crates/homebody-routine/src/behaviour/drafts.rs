@@ -57,7 +57,7 @@ const TO_AND_FRO: Span = MINUTE.times(4);
 pub const SOON_DONE: Span = MINUTE.times(3);
 
 /// Time after a visitor's planned arrival at which an activity with their help begins (our choice).
-const WELCOMED: Span = MINUTE.times(3);
+pub(super) const WELCOMED: Span = MINUTE.times(3);
 
 impl Drafts<'_> {
     pub fn resolve(mut self) -> Resolved {

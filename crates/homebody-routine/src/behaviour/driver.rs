@@ -7,7 +7,7 @@ use super::agenda::Agenda;
 use super::body::WalkingBody;
 use super::chores::{self, Errand};
 use super::company::Company;
-pub(super) use super::current_activity::{Playing, WalkPurpose};
+pub(super) use super::current_activity::{ActivityPart, Playing, VisitorStay, WalkPurpose};
 use super::errands::Errands;
 use super::item::Item;
 use super::manner::Manner;
@@ -54,6 +54,7 @@ pub struct RoutineDriver {
     /// The activity last reported, and the current one: those without duration are not reported.
     pub(super) told: String,
     pub(super) name: String,
+    pub(super) part: ActivityPart,
     pub(super) needs: BodilyNeeds,
     pub(super) watches: Watches,
     /// Number of unplanned repetitions today.
@@ -84,17 +85,12 @@ pub struct RoutineDriver {
     /// The resident of the routine; for a visitor, the host.
     pub(super) host: ResidentId,
     pub(super) company: Company,
-    /// The visitor whom the resident receives.
-    pub(super) guest: Option<ResidentId>,
-    /// Whether a visitor sleeps there, and stays while the host is out.
-    pub(super) stays_over: bool,
-    /// Number of residents before this one in the scenario.
+    /// The present visit of a visitor.
+    pub(super) stay: VisitorStay,
+    /// Number of bodies before this one in the scenario.
     pub(super) rank: u32,
-    /// Waits in a row for people in the way, and for an occupied place.
+    /// Waits in a row for people in the way.
     pub(super) pauses: u32,
-    pub(super) queues: u32,
-    /// After too many waits, the resident stops for no one.
-    pub(super) pushes_through: bool,
     pub(super) sight: WatchInput,
 }
 
@@ -134,18 +130,16 @@ impl RoutineDriver {
             ready: VecDeque::new(),
             told: String::new(),
             name: String::new(),
+            part: ActivityPart::Itself,
             unplanned: BTreeMap::new(),
             shown: Vec::new(),
             midnight: life.midnight(agenda.day),
             visitor: None,
             host,
             company,
-            guest: None,
-            stays_over: false,
+            stay: VisitorStay::default(),
             rank,
             pauses: 0,
-            queues: 0,
-            pushes_through: false,
             sight: WatchInput::default(),
             errands: Errands::new(),
             tally: SentenceTally::default(),
@@ -179,10 +173,11 @@ impl RoutineDriver {
         home: Arc<Home>,
         places: Arc<HomePlaces>,
         body: WalkingBody,
-        (host, name): (ResidentId, &str),
+        (visitor, host, name): (ResidentId, ResidentId, &str),
         company: Company,
     ) -> RoutineDriver {
         let mut driver = RoutineDriver::new(life, home, places, body, host, company);
+        driver.rank = visitor.0;
         (driver.scripts, driver.ready, driver.visitor) = (Vec::new(), VecDeque::new(), Some(name.into()));
         // The host's rules and conditions do not apply to visitors.
         (driver.watches, driver.parameters) = (Watches::none(), DayParameters::ordinary());
@@ -211,10 +206,10 @@ impl RoutineDriver {
         loop {
             self.make_way(now);
             if let Some(next) = self.ready.front() {
-                // Only what takes time is reported, so no activity has zero length.
-                if matches!(next, Next::Segment(_)) && self.told != self.name {
-                    self.told.clone_from(&self.name);
-                    return Next::Activity((!self.name.is_empty()).then(|| self.name.clone()));
+                // The use of a thing takes no time, so a row that begins with it could end with it.
+                if matches!(next, Next::Segment(_)) && self.told != self.label() {
+                    self.told = self.label().to_owned();
+                    return Next::Activity((!self.told.is_empty()).then(|| self.told.clone()));
                 }
                 if let Next::Segment(next) = next {
                     self.body.follow(next);
@@ -234,37 +229,30 @@ impl RoutineDriver {
                 let is_open = playing.may_be_interrupted();
                 self.essential().is_some_and(|(_, due)| due <= now) || is_open && self.next_break_at(now) <= now
             };
+            let is_interrupted = self.scripts.last().is_some_and(|playing| playing.is_interrupted);
             if is_next {
                 // Between cooking and eating, or two deeds of a night, the interrupted activity does not continue.
                 self.interrupt(now);
                 continue;
             }
+            if is_interrupted && self.bell_at(now) <= now {
+                self.answer_the_bell(now);
+                continue;
+            }
+            self.end_visit_without_guest();
             let Some(playing) = self.scripts.last_mut() else { continue };
             if playing.is_interrupted && playing.is_nearly_over(now) {
                 playing.steps.clear();
             }
             if std::mem::take(&mut playing.is_interrupted) && !playing.steps.is_empty() {
-                let name = ActivityStep::Name(playing.name.clone());
-                // Going to bed begins on its edge, and lying there counts as in bed.
-                let lies =
-                    matches!(playing.steps.front(), Some(ActivityStep::Stay(stay)) if stay.posture == Posture::Lying);
-                match playing.spot.clone() {
-                    // On the way back to bed the resident is awake: the way is part of the interruption.
-                    Some(back) if lies || back.posture == Posture::Lying => {
-                        playing.steps.push_front(name);
-                        playing.steps.push_front(ActivityStep::Go(back));
-                    }
-                    back => {
-                        if let Some(back) = back {
-                            playing.steps.push_front(ActivityStep::Go(back));
-                        }
-                        playing.steps.push_front(name);
-                    }
+                if let Some(back) = playing.spot.clone() {
+                    playing.steps.push_front(ActivityStep::Go(back));
                 }
+                playing.steps.push_front(ActivityStep::Name(playing.name.clone()));
             }
             match playing.steps.front() {
                 None => self.end_script(now),
-                Some(ActivityStep::Stay(_)) => self.stay(now),
+                Some(ActivityStep::Stay(_) | ActivityStep::Wait(_)) => self.stay(now),
                 Some(_) => {
                     if let Some(step) = playing.steps.pop_front() {
                         self.take(step, now);
@@ -275,7 +263,7 @@ impl RoutineDriver {
     }
 
     /// Continues the activity that the ended one interrupted.
-    fn end_script(&mut self, now: RunTime) {
+    pub(super) fn end_script(&mut self, now: RunTime) {
         let mut still = None;
         if let Some(over) = self.scripts.pop() {
             still = over.answers.map(|rank| (rank, over.still)).filter(|(_, still)| !still.is_empty());
@@ -300,6 +288,7 @@ impl RoutineDriver {
 
     /// Takes a step other than a stay.
     fn take(&mut self, step: ActivityStep, now: RunTime) {
+        self.set_part(&step);
         match step {
             ActivityStep::Name(name) => {
                 if let Some(playing) = self.scripts.last_mut() {
@@ -308,6 +297,7 @@ impl RoutineDriver {
                 self.name = name;
             }
             ActivityStep::Go(spot) => self.go(spot, now),
+            ActivityStep::Act(thing, on) if self.is_done_by_other(thing, on) => {}
             ActivityStep::Act(thing, on) => self.act(thing, on, now),
             ActivityStep::Away { lasts, until } => self.away(lasts, until, now),
             ActivityStep::Wander { kind, lasts } => {
@@ -328,7 +318,9 @@ impl RoutineDriver {
             ActivityStep::AwaitMeal { left } => self.await_meal(left),
             ActivityStep::AlongFloor { to, mps } => self.along_floor(to, mps, now),
             ActivityStep::LieUntilFound { left } => self.lie_until_found(left),
-            ActivityStep::Stay(_) => {}
+            ActivityStep::KeepCompany => self.keep_company(now),
+            ActivityStep::Depart { left } => self.depart(left),
+            ActivityStep::Stay(_) | ActivityStep::Wait(_) => {}
         }
     }
 
@@ -340,19 +332,20 @@ impl RoutineDriver {
         let next_start =
             self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));
         let active = self.activity(now);
+        let bell_at = self.bell_at(now);
         let is_left_alone = self.is_host_away();
         let Some(playing) = self.scripts.last_mut() else { return };
         if is_left_alone {
             // Only the way out remains.
             let out = playing.steps.iter().rposition(|step| matches!(step, ActivityStep::Go(_))).unwrap_or(0);
             playing.steps.drain(..out);
-            playing.steps.retain(|step| !matches!(step, ActivityStep::Stay(_)));
+            playing.steps.retain(|step| !matches!(step, ActivityStep::Stay(_) | ActivityStep::Wait(_)));
             return;
         }
-        let Some(ActivityStep::Stay(stay)) = playing.steps.front_mut() else { return };
+        let Some(ActivityStep::Stay(stay) | ActivityStep::Wait(stay)) = playing.steps.front_mut() else { return };
         let mut end = now.saturating_add(stay.left).min(stay.until.unwrap_or(RunTime::NEVER));
         if stay.may == Interruptible::Yield {
-            end = end.min(next_start);
+            end = end.min(next_start).min(bell_at);
         }
         if end <= now {
             playing.steps.pop_front();
@@ -364,6 +357,15 @@ impl RoutineDriver {
             Interruptible::Breaks => rules_at.min(breaks_at),
             Interruptible::Interrupt | Interruptible::Yield => interrupted_at,
         };
+        let hears_the_bell = match stay.may {
+            Interruptible::Nothing | Interruptible::Yield => false,
+            Interruptible::Rules => playing.hears_the_bell,
+            Interruptible::Breaks | Interruptible::Interrupt => true,
+        };
+        if hears_the_bell && bell_at <= now {
+            return self.answer_the_bell(now);
+        }
+        let interrupted_at = if hears_the_bell { interrupted_at.min(bell_at) } else { interrupted_at };
         if interrupted_at < RunTime::NEVER {
             if interrupted_at <= now {
                 return self.interrupt(now);
@@ -371,6 +373,12 @@ impl RoutineDriver {
             end = end.min(interrupted_at);
         }
         let active = active(&stay.manner);
+        let is_wait = matches!(playing.steps.front(), Some(ActivityStep::Wait(_)));
+        (playing.is_there, self.part) = match is_wait {
+            true => (playing.is_there, ActivityPart::Wait),
+            false => (true, ActivityPart::Itself),
+        };
+        let Some(ActivityStep::Stay(stay) | ActivityStep::Wait(stay)) = playing.steps.front_mut() else { return };
         let span = match playing.stirs {
             true => stay.manner.bout(&mut playing.stream),
             false => stay.manner.gap(active.max(1.0), &mut playing.stream),
@@ -401,7 +409,7 @@ impl RoutineDriver {
         let lasts = item.until.map_or(item.lasts, |until| (until - now).max(SECOND));
         // Visitors leave on time, whatever delayed the host.
         let is_visit = item.activity == Activity::Visit && lasts < STAYING_OVER;
-        let until = if is_visit { Some(now + lasts) } else { item.until };
+        let until = if is_visit { Some(now.saturating_add(lasts)) } else { item.until };
         self.begin(&Item { lasts, until, ..item.clone() });
         let gives_way =
             item.activity.gives_way_to_meals() && !(item.activity == Activity::Visit && lasts <= SHORT_VISIT);
@@ -414,9 +422,7 @@ impl RoutineDriver {
     /// Begins an activity on top of the current one.
     pub(super) fn begin(&mut self, item: &Item) {
         let Item { key, activity, place, lasts, until, .. } = item;
-        if let Some(visitor) = &item.visitor {
-            self.guest = self.company.visitor(self.host.index(), visitor);
-        }
+        let guest = self.guest_of(item);
         let place = place.as_deref().and_then(|place| self.places.named(place));
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
         let mut forgotten = Vec::new();
@@ -435,6 +441,7 @@ impl RoutineDriver {
                 chores::errand(if is_mail { Errand::Mail } else { Errand::Any }, *lasts, &mut setting)
             }
             false if *activity == Activity::Fall => self.fall_steps(item, place, &mut setting),
+            false if *activity == Activity::Visit => self.visit_steps(item, guest, &mut setting),
             false => script(activity, place, *lasts, *until, &mut setting),
         };
         let first = match activity {
@@ -450,7 +457,8 @@ impl RoutineDriver {
         self.play(steps, stream, activity.label());
         self.watches.does(activity.label(), self.now, &self.life);
         if let Some(playing) = self.scripts.last_mut() {
-            playing.walks = walks;
+            (playing.walks, playing.guest) = (walks, guest);
+            playing.hears_the_bell = matches!(activity, Activity::Eat(_) | Activity::Nap);
         }
     }
 
@@ -497,6 +505,11 @@ impl RoutineDriver {
             answers: None,
             still: Vec::new(),
             stirs: true,
+            is_there: false,
+            waits: 0,
+            is_in_between: false,
+            guest: None,
+            hears_the_bell: false,
         });
     }
 
@@ -520,16 +533,22 @@ impl RoutineDriver {
                 return;
             }
         }
+        if self.bell_at(now) <= now {
+            return self.answer_the_bell(now);
+        }
         // Activities that are too late, or would end before they begin, are dropped.
-        let is_over = |item: &Item| item.latest < now || item.until.is_some_and(|until| until < now + 5 * MINUTE);
+        let is_over = |item: &Item| {
+            item.latest < now
+                || item.until.is_some_and(|until| until < now + 5 * MINUTE)
+                || self.has_been_missed(item, now)
+        };
         // Unstated activities do not delay bedtime.
         let bed = self.agenda.bed + GRACE;
         let is_too_long =
             |item: &Item| item.is_unsaid && !item.is_essential() && item.start.max(now) + item.lasts > bed;
         let is_past = |item: &Item| is_over(item) || is_too_long(item);
-        while self.agenda.items.get(self.next_item).is_some_and(is_past) {
-            self.next_item += 1;
-        }
+        let rest = self.agenda.items.iter().skip(self.next_item);
+        self.next_item += rest.take_while(|item| is_past(item)).count();
         self.wait_for_others(now);
         self.prefer_stated(now);
         self.serve(now);
@@ -564,13 +583,6 @@ const SHORT_VISIT: Span = MINUTE.times(45);
 
 /// Largest delay of a meal before it interrupts an activity of leisure (our choice).
 pub(super) const GRACE: Span = MINUTE.times(10);
-
-impl Item {
-    /// Whether it is still done before bed when late.
-    fn can_wait_for_bed(&self, bed: RunTime) -> bool {
-        self.start < bed && self.lasts <= 20 * MINUTE
-    }
-}
 
 impl Driver for RoutineDriver {
     fn next(&mut self, around: &Surroundings) -> Next {

@@ -8,8 +8,9 @@ use super::manner::Manner;
 use super::script::{ActivityStep, Interruptible, StayStep};
 use crate::routine::{Activity, Response};
 use homebody_core::activity::{self, ActivityKind, UsualLength};
+use homebody_core::event::BodilyNeed;
 use homebody_core::posture::Posture;
-use homebody_core::time::{RunTime, SECOND, Span};
+use homebody_core::time::{MINUTE, RunTime, SECOND, Span};
 
 /// Time that turning a thing on or off takes at its place (our choice).
 const TURNING: Span = SECOND.times(2);
@@ -62,12 +63,22 @@ impl RoutineDriver {
         next.filter(is_soon_done).map_or(RunTime::NEVER, |item| item.start.max(now))
     }
 
-    /// The next meal or medicine of the plan, and when it interrupts the current activity, if that yields.
+    /// The next meal or medicine of the plan, and when it interrupts the current activity, if that yields. In company that stays on, this
+    /// holds for all that has a time.
     pub(super) fn essential(&self) -> Option<(usize, RunTime)> {
-        let [playing] = self.scripts.as_slice() else { return None };
-        if !playing.gives_way {
+        let (playing, below) = self.scripts.split_last()?;
+        if !playing.gives_way || playing.guest.is_none() && !below.is_empty() {
             return None;
         }
+        let until = playing.guest.map_or(RunTime::MIN, |guest| guest.until);
+        let items = || self.agenda.items.iter().enumerate().skip(self.next_item);
+        let in_company = items().find(|(_, item)| item.is_done_in_company(until));
+        let in_company = in_company.map(|(index, item)| (index, item.start));
+        let due = |due: &(usize, RunTime)| due.1;
+        self.next_essential().into_iter().chain(in_company).min_by_key(due)
+    }
+
+    fn next_essential(&self) -> Option<(usize, RunTime)> {
         let items = self.agenda.items.iter().enumerate().skip(self.next_item);
         let now = self.now;
         let mut essential = items.filter(|(_, item)| item.is_essential() && self.may_begin(item, now));
@@ -105,6 +116,10 @@ impl RoutineDriver {
             return self.begin_break(now);
         }
         if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
+            // Nobody naps while a guest sits there.
+            if activity == Activity::Nap && self.scripts.iter().any(|playing| playing.guest.is_some()) {
+                return self.needs.put_off(BodilyNeed::Tiredness, now);
+            }
             let key = format!("need/{}/{}", activity.label(), self.times(&activity));
             let mut stream = self.life.stream_of_day(self.agenda.day, &key);
             let UsualLength { median_min, sigma } = match activity {
@@ -192,6 +207,19 @@ impl RoutineDriver {
                 self.begin(&Item { place, ..Item::now(key, activity, Span::from_seconds(lasts_s)) });
             }
         }
+    }
+}
+
+/// Shortest rest of a visit that leaves the host time for another activity, while the guest sits by (our choice).
+const SITS_BY: Span = MINUTE.times(30);
+
+impl Item {
+    /// Whether the host does it at its time although a visitor stays until `until`.
+    fn is_done_in_company(&self, until: RunTime) -> bool {
+        let is_at_home = self.visitor.is_none()
+            && !self.is_essential()
+            && !matches!(self.activity, Activity::Leave | Activity::ComeHome);
+        is_at_home && self.has_its_time && !self.is_unsaid && self.start.saturating_add(SITS_BY) < until
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::resident_routine::SentenceId;
 use crate::routine::{Activity, Falling};
-use homebody_core::time::{RunTime, Span};
+use homebody_core::time::{MINUTE, RunTime, Span};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
@@ -32,6 +32,11 @@ pub struct Item {
     pub has_its_time: bool,
     /// A stated number per day, whatever else is done; at home if possible.
     pub is_counted: bool,
+    /// Of a visit: whether the visitor has a key, and what they do.
+    pub has_key: bool,
+    pub does: Vec<Activity>,
+    /// Whether the visitor was let in already, between two steps of another activity.
+    pub is_let_in: bool,
     pub follows: Option<Follows>,
 }
 
@@ -71,6 +76,9 @@ impl Item {
             waits: true,
             has_its_time: false,
             is_counted: false,
+            has_key: false,
+            does: Vec::new(),
+            is_let_in: false,
             follows: None,
         }
     }
@@ -79,5 +87,10 @@ impl Item {
     pub fn is_essential(&self) -> bool {
         let is = matches!(self.activity, Activity::Prepare(_) | Activity::Eat(_) | Activity::TakeMedicine);
         is && self.visitor.is_none()
+    }
+
+    /// Whether it is still done before bed when late.
+    pub fn can_wait_for_bed(&self, bed: RunTime) -> bool {
+        self.start < bed && self.lasts <= 20 * MINUTE
     }
 }

@@ -52,7 +52,8 @@ impl RoutineDriver {
         let tomorrow = self.agenda.day + 1;
         self.slept_in = if already { Span::ZERO } else { self.sleeps_in(now) };
         self.agenda.next_up += self.slept_in;
-        let up = (rising::up(&self.life, tomorrow, &self.life.parameters(tomorrow)) + self.slept_in).max(now + MINUTE);
+        let up = rising::up(&self.life, tomorrow, &self.life.parameters(tomorrow)) + self.slept_in;
+        let up = self.woken_at(tomorrow, up, now).max(now + MINUTE);
         // A change that begins tomorrow does not affect tonight.
         let usual_up = rising::up(&self.life, tomorrow, &self.parameters) + self.slept_in;
         let stay = |manner, left, until| {

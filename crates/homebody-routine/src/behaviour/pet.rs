@@ -122,7 +122,6 @@ impl PetDriver {
             (false, true) => activity::RESTING,
             (false, false) => activity::ROAMING,
         };
-        self.ready.push_back(Next::Activity(Some(name.into())));
         let to = match (sleeps, self.stream.unit()) {
             (true, share) if share < 0.4 => self.any(Role::Basket),
             (true, share) if share < 0.7 => self.any(Role::Sofa),
@@ -140,7 +139,10 @@ impl PetDriver {
                 let spot = HomePlace { posture: Posture::Standing, ..spot };
                 let moves = self.body.go(&spot, now, hour, 1.0, &mut self.stream).unwrap_or_default();
                 let arrival = moves.last().map_or(now, |last| last.end);
+                // On the way to its basket it is awake.
+                self.ready.extend((!moves.is_empty()).then(|| Next::Activity(Some(activity::ROAMING.into()))));
                 self.ready.extend(moves.into_iter().map(Next::Segment));
+                self.ready.push_back(Next::Activity(Some(name.into())));
                 let (manner, median_min) = match (sleeps, rests) {
                     (true, _) => (Manner::CURLED_UP, of(&SLEEP_MIN)),
                     (false, true) => (Manner::STILL, of(&REST_MIN)),
@@ -150,6 +152,7 @@ impl PetDriver {
                 self.stay = Some((manner.with_numbers(&self.numbers), arrival + lasts));
             }
             None => {
+                self.ready.push_back(Next::Activity(Some(name.into())));
                 let lasts = Span::from_seconds(self.stream.lognormal(of(&ROUND_S), of(&SPREAD)));
                 let moves = self.body.wander(
                     WanderStyle::Random,

@@ -37,6 +37,8 @@ pub enum ActivityStep {
     /// On or open if true, else off or closed.
     Act(u32, bool),
     Stay(StayStep),
+    /// Stays until another person has moved on.
+    Wait(StayStep),
     /// Away for a span, or until an instant.
     Away {
         lasts: Span,
@@ -61,6 +63,12 @@ pub enum ActivityStep {
     },
     /// Waits for another person to finish cooking.
     AwaitMeal {
+        left: Span,
+    },
+    /// As a visitor, does what the host's company asks for, until the end of the visit.
+    KeepCompany,
+    /// As a visitor, waits at the door to be seen out, and then opens it.
+    Depart {
         left: Span,
     },
     AlongFloor {
@@ -103,7 +111,7 @@ const ARRIVAL_PATIENCE: Span = MINUTE.times(5);
 /// Time that a host waits for a visitor to leave (our choice).
 const FAREWELL_PATIENCE: Span = MINUTE.times(5);
 /// Time that a person who comes home waits for another to leave the doorway (our choice).
-const DOORWAY: Span = MINUTE.times(2);
+const DOORWAY: Span = MINUTE.times(5);
 /// Time that a person waits for a meal that another one still cooks (our choice).
 const COOKING_PATIENCE: Span = MINUTE.times(45);
 
@@ -114,6 +122,14 @@ const WARMING_S: f64 = 150.0;
 
 /// Shortest visit with meals and a bed for the visitor, and a usual day for the host (our choice).
 pub(super) const STAYING_OVER: Span = HOUR.times(10);
+
+/// The parts of a visit at the front door that the host is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum DoorParts {
+    SeesOut,
+    Both,
+    Neither,
+}
 
 /// Time that the host first sits with such a visitor (our choice).
 const WELCOME: Span = HOUR;
@@ -127,6 +143,27 @@ pub struct ActivitySetting<'a> {
     /// Things that stay on this time, such as a forgotten stove.
     pub forgotten: Vec<u32>,
     pub movement: f64,
+}
+
+/// The steps of a host who opens the door to a visitor, and returns to something else.
+pub(super) fn let_in(setting: &mut ActivitySetting) -> VecDeque<ActivityStep> {
+    let mut steps = StepBuilder { steps: VecDeque::new(), setting };
+    steps.push(ActivityStep::Name(Activity::Visit.label().into()));
+    steps.let_in();
+    steps.steps
+}
+
+/// The steps of a visit, with these of its parts at the door.
+pub(super) fn visit(
+    lasts: Span,
+    until: Option<RunTime>,
+    door: DoorParts,
+    setting: &mut ActivitySetting,
+) -> VecDeque<ActivityStep> {
+    let mut steps = StepBuilder { steps: VecDeque::new(), setting };
+    steps.push(ActivityStep::Name(Activity::Visit.label().into()));
+    steps.visit(lasts, until, door);
+    steps.steps
 }
 
 struct StepBuilder<'a, 'b> {
@@ -181,7 +218,7 @@ impl StepBuilder<'_, '_> {
             Activity::Housework => self.housework(place, lasts),
             Activity::Leave => self.leave(activity.label(), lasts, until),
             Activity::ComeHome | Activity::GoToBed => {}
-            Activity::Visit => self.visit(lasts, until),
+            Activity::Visit => self.visit(lasts, until, DoorParts::Both),
             Activity::Drink => self.drink(lasts),
             Activity::Snack => self.snack(lasts),
             Activity::Exercise => self.at(Role::Armchair, place, lasts, Manner::BUSY, Interruptible::Interrupt),
@@ -451,20 +488,26 @@ impl StepBuilder<'_, '_> {
         self.act(Role::FrontDoor, false);
     }
 
-    /// Opens the door, sits with the visitor, sees them off.
-    fn visit(&mut self, lasts: Span, until: Option<RunTime>) {
+    fn let_in(&mut self) {
         self.go(Role::FrontDoor, None);
         self.act(Role::FrontDoor, true);
         self.push(ActivityStep::Await { arrival: true, left: ARRIVAL_PATIENCE });
         self.act(Role::FrontDoor, false);
         let welcome = self.around(40.0);
         self.at(Role::FrontDoor, None, welcome, Manner::TALKING, Interruptible::Rules);
+    }
+
+    /// Opens the door, sits with the visitor, sees them off.
+    fn visit(&mut self, lasts: Span, until: Option<RunTime>, door: DoorParts) {
+        if door == DoorParts::Both {
+            self.let_in();
+        }
         // During a visit of days, the host's routine continues.
         let (talk, until) = if lasts < STAYING_OVER { (lasts, until) } else { (WELCOME, None) };
         let posture = self.go(Role::Armchair, None);
         let may = Interruptible::Interrupt;
         self.push(ActivityStep::Stay(StayStep { posture, manner: Manner::TALKING, left: talk, until, may }));
-        if lasts < STAYING_OVER {
+        if lasts < STAYING_OVER && matches!(door, DoorParts::SeesOut | DoorParts::Both) {
             let farewell = self.around(60.0);
             self.at(Role::FrontDoor, None, farewell, Manner::TALKING, Interruptible::Rules);
             self.act(Role::FrontDoor, true);
@@ -495,78 +538,4 @@ impl StepBuilder<'_, '_> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::routine::USUAL;
-    use homebody_core::home::form::HomeFile;
-    use homebody_core::plan::Plan;
-    use homebody_walk::Mesh;
-    use std::collections::BTreeSet;
-
-    /// The places of an activity in the example apartment, over many days, by name.
-    fn ways(activity: &Activity, places: &HomePlaces) -> BTreeSet<String> {
-        let steps = (0..40).flat_map(|seed| {
-            let mut stream = Stream::named(seed, "script");
-            let at = places.for_role(Role::Armchair).unwrap().at;
-            let mut setting = ActivitySetting { places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
-            script(activity, None, 20 * MINUTE, None, &mut setting)
-        });
-        let goes = steps.filter_map(|step| match step {
-            ActivityStep::Go(spot) => Some(spot.name),
-            _ => None,
-        });
-        goes.collect()
-    }
-
-    #[test]
-    fn the_roles_that_are_acted_on_are_those_of_the_scripts() {
-        let home = include_str!("../../../../scenarios/tigerplace/home.json");
-        let home: HomeFile = serde_json::from_str(&home.replace("\"nightstand\"", "\"medicine cabinet\"")).unwrap();
-        let plan = Plan::new(&home);
-        let places = HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), "margaret");
-        let mut acted = BTreeSet::new();
-        for activity in USUAL.iter().chain(&[Activity::Shower, Activity::TakeMedicine, Activity::Visit]) {
-            for seed in 0..40 {
-                let (mut stream, at) = (Stream::named(seed, "script"), places.for_role(Role::Armchair).unwrap().at);
-                let mut setting =
-                    ActivitySetting { places: &places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
-                let steps = script(activity, None, 20 * MINUTE, None, &mut setting);
-                acted.extend(steps.into_iter().filter_map(|step| match step {
-                    ActivityStep::Act(thing, _) => Some(places.thing_name(thing).to_owned()),
-                    _ => None,
-                }));
-            }
-        }
-        let things = ACTED_ON.iter().filter_map(|&role| places.thing(role));
-        assert_eq!(acted, things.map(|thing| places.thing_name(thing).to_owned()).collect());
-    }
-
-    #[test]
-    fn the_roles_of_an_activity_are_those_that_its_script_goes_to() {
-        let home = include_str!("../../../../scenarios/tigerplace/home.json");
-        let home: HomeFile = serde_json::from_str(home).unwrap();
-        let plan = Plan::new(&home);
-        let places = HomePlaces::new(&home, &plan, &Mesh::new(&plan, 0.22), "margaret");
-        let more = [
-            Activity::Shower,
-            Activity::TakeMedicine,
-            Activity::Nap,
-            Activity::Exercise,
-            Activity::UseComputer,
-            Activity::Relax,
-            Activity::ComeHome,
-            Activity::Other("knits".into()),
-        ];
-        for activity in USUAL.iter().chain(&more) {
-            // The night and rising have steps of their own.
-            if matches!(activity, Activity::GetUp | Activity::GoToBed) {
-                continue;
-            }
-            let names = activity.roles().iter().map(|&role| places.for_role(role).unwrap().name.clone());
-            assert_eq!(ways(activity, &places), names.collect(), "{activity:?}");
-        }
-        // A visitor's seat is not part of the host's steps.
-        let names = [Role::FrontDoor, Role::Armchair].map(|role| places.for_role(role).unwrap().name.clone());
-        assert_eq!(ways(&Activity::Visit, &places), names.into());
-    }
-}
+mod tests;

@@ -46,7 +46,7 @@ impl RoutineDriver {
             RuleTrigger::At(place) => self.is_at(place),
             RuleTrigger::Company(None) => !self.company.is_alone(),
             RuleTrigger::Company(Some(who)) => {
-                self.company.visitor(self.host.index(), who).is_some_and(|visitor| self.company.is_there(visitor))
+                self.company.visitor(self.host.index(), who).is_some_and(|visitor| self.company.is_here(visitor))
             }
             RuleTrigger::Alone => self.company.is_alone(),
             RuleTrigger::Sitting => self.body.posture() == Posture::Sitting,
@@ -74,7 +74,7 @@ impl RoutineDriver {
         let is_last = self.ready.is_empty() && !matches!(rest.doing, MotionState::Stride { .. });
         let is_due = is_last && self.rules_at() <= now;
         let step = self.scripts.last_mut().and_then(|playing| playing.steps.front_mut());
-        if let Some(ActivityStep::Stay(stay)) = step
+        if let Some(ActivityStep::Stay(stay) | ActivityStep::Wait(stay)) = step
             && is_due
             && stay.may != Interruptible::Nothing
         {

@@ -22,21 +22,16 @@ fn metres(segment: &MotionSegment) -> f64 {
 
 impl RoutineDriver {
     pub(super) fn go(&mut self, spot: HomePlace, now: RunTime) {
-        let Some(spot) = self.free_spot(spot.clone()) else {
-            if !self.queue(spot) {
-                self.give_up(now);
-            }
-            return;
-        };
-        // Mere waiting does not end the queue.
-        if !spot.name.is_empty() {
-            self.queues = 0;
-        }
+        let Some(spot) = self.free_spot(spot.clone()) else { return self.wait_for(spot, now) };
         let hour = self.hour(now);
         let Some(playing) = self.scripts.last_mut() else { return };
+        // To step aside does not end the wait.
+        if !matches!(playing.steps.front(), Some(ActivityStep::Wait(_))) {
+            playing.waits = 0;
+        }
         let from = self.body.room();
         let Some(moves) = self.body.go(&spot, now, hour, self.parameters.pace, &mut playing.stream) else {
-            return self.give_up(now);
+            return self.give_up(false, now);
         };
         playing.spot = Some(spot.clone());
         let metres: f64 = moves.iter().map(metres).sum();
@@ -66,7 +61,7 @@ impl RoutineDriver {
 
     /// Without a route, the rest of the activity is dropped. A night is spent on the spot, and visitors stay where they
     /// are.
-    pub(super) fn give_up(&mut self, now: RunTime) {
+    pub(super) fn give_up(&mut self, is_blocked: bool, now: RunTime) {
         let is_visit = self.visitor.is_some();
         let Some(playing) = self.scripts.last_mut() else { return };
         if is_visit || playing.steps.iter().any(|step| matches!(step, ActivityStep::Wake)) {
@@ -79,8 +74,9 @@ impl RoutineDriver {
             until: None,
             may: Interruptible::Nothing,
         };
+        let at_a_loss = if is_blocked { ActivityStep::Wait(at_a_loss) } else { ActivityStep::Stay(at_a_loss) };
         self.tally.no_way(playing.of.take());
-        let left = std::mem::replace(&mut playing.steps, VecDeque::from([ActivityStep::Stay(at_a_loss)]));
+        let left = std::mem::replace(&mut playing.steps, VecDeque::from([at_a_loss]));
         let mut stays_on = Vec::new();
         for step in left {
             match step {

@@ -227,9 +227,12 @@ fn habit(reader: &mut SentenceReader, draft: &mut RoutineDraft, clause: Clause) 
             time: when,
             lasts,
             until,
+            nights: 0,
             times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
             is_total: false,
         },
+        key: false,
+        does: Vec::new(),
         falling: match clause.predicate {
             Predicate::Falls(falling) => Some(falling),
             _ => None,
