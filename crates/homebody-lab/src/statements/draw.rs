@@ -165,9 +165,4 @@ impl DrawnLife {
         let (start, zone) = self.start();
         Calendar::new(&format!("{start}T00:00:00"), zone).expect("the start is a time of its zone")
     }
-
-    /// Whether a day has no time that is skipped or comes twice.
-    pub fn is_whole(calendar: &Calendar, day: i32) -> bool {
-        calendar.instant(day + 1, 12 * HOUR) - calendar.instant(day, 12 * HOUR) == 24 * HOUR
-    }
 }
