@@ -412,7 +412,7 @@ fn meet(a: &[MotionSegment], b: &[MotionSegment], found: &mut ImpossibleCounts) 
     });
 }
 
-/// The part of an interval in which two people are within [`PASSING_M`].
+/// Time in an interval with two people within [`PASSING_M`].
 fn near(a: &MotionSegment, b: &MotionSegment, time: Interval<RunTime>) -> Span {
     let at = |instant: RunTime| -> Option<f64> { Some(a.position(instant)?.distance(b.position(instant)?)) };
     let instants = (0..LOOKS).map(|part| time.begin + time.length() * part / (LOOKS - 1));
