@@ -105,7 +105,7 @@ impl DrawnLife {
     pub fn measure(&self) -> Vec<FieldRow> {
         let mut rows = Vec::new();
         let mut left: Vec<usize> = (0..self.statements.len()).collect();
-        // A refused statement is told, and the others are measured without it.
+        // A refused statement counts as told; the others are measured without it.
         let life = loop {
             match self.simulate(&left) {
                 Ok(life) => break life,

@@ -41,7 +41,7 @@ impl Conversation {
     ///
     /// # Errors
     ///
-    /// The text cannot be read, the scenario has no such resident, or nobody can have a routine in its home.
+    /// The text cannot be read, the scenario has no such resident, or its home has no room for a routine.
     pub fn new(opened: OpenScenario, resident: Option<&str>, text: &str) -> Result<Conversation, FreeTextError> {
         let text = FreeText::read(text)?;
         let trial = StatementTrial::of_resident(opened, resident)?;
@@ -55,7 +55,7 @@ impl Conversation {
         &self.trial.file
     }
 
-    /// The messages for the next answer: what a model is told, the text, its latest answer, and what is wrong with that.
+    /// The messages for the next answer: the instructions, the text, the latest answer, and its problems.
     pub fn messages(&self) -> Vec<ChatMessage> {
         let text = first_request(&self.text);
         let system = ChatMessage::system(&self.system);

@@ -2,7 +2,7 @@
 //!
 //! A [`Conversation`] takes the text and makes the prompts; it reads each answer, checks every sentence of it with the reader of routines,
 //! and simulates some days. Problems and measured differences are the next prompt. A [`ModelServer`] answers prompts over HTTP; a
-//! person with any assistant can do so, too. Only sentences that the reader accepts are in the [`LifeDraft`], each beside its source
+//! person with any assistant can do so, too. Only sentences that the reader accepts are in the [`LifeDraft`], each with its source
 //! in the text. The command, and later the page and Python, decide which of them are written.
 
 mod messages;

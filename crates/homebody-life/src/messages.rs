@@ -20,7 +20,7 @@ homebody_core::messages! {
         UnknownResident { name: String, known: Vec<String> } error "unknown-resident"
             ("the scenario has no resident {name:?}")
             hint ("choose one of: {known}", known = known.join(", "));
-        /// A rounds file is written beside a routine that was made of a text.
+        /// A rounds file is written next to a routine that was made from a text.
         NotRounds { why: String } error "not-rounds" ("this is no file of rounds: {why}")
             hint ("name the file NAME.rounds.json that stands beside a routine made of a text");
         /// No answer had a line that can be used.

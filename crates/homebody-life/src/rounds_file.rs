@@ -1,4 +1,4 @@
-//! The rounds of a conversation in a file beside the routine, from which the routine can be made again without a model.
+//! The rounds of a conversation in a file next to the routine, from which the routine can be made again without a model.
 
 use crate::messages::FreeTextError;
 use serde::{Deserialize, Serialize};

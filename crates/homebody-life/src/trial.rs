@@ -49,7 +49,7 @@ impl StatementTrial {
             _ => format!("{}.routine", residents[resident].file.name.to_lowercase().replace([' ', '/', '\\'], "-")),
         };
         let trial = StatementTrial { opened, resident, file };
-        // A home in which nobody can live refuses each statement for the same reason.
+        // A home without room for a life refuses each statement for the same reason.
         trial.with_routine("").map_err(|problems| SimulationError::Problems(Problems(problems)))?;
         Ok(trial)
     }

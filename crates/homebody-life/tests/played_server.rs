@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
 
-/// What it does at a request for a chat.
+/// Its reply to a request for a chat.
 #[derive(Clone, Debug)]
 pub enum Reply {
     /// A completion with this content.

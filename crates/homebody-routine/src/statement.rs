@@ -4,8 +4,10 @@
 
 use crate::canonical;
 use crate::routine::{Activity, Effect, Habit, Quote, Routine, RoutineChange, RoutinePerson, RoutineRule};
-use schemars::{JsonSchema, Schema, schema_for};
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// A statement about a life.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -66,9 +68,10 @@ impl Statement {
         }
     }
 
-    /// The JSON Schema of a list of statements.
-    pub fn list_schema() -> Schema {
-        schema_for!(Vec<Statement>)
+    /// The JSON Schema (draft 7) of a list of statements, and the name of its file.
+    pub fn list_schema() -> (&'static str, Value) {
+        let schema = SchemaSettings::draft07().into_generator().into_root_schema_for::<Vec<Statement>>();
+        ("statements.schema.json", schema.to_value())
     }
 }
 

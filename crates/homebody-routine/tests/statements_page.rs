@@ -33,8 +33,8 @@ She prepares lunch at 12:00.
 
 #[test]
 fn the_reference_of_statements_is_generated() {
-    let schema = serde_json::to_value(Statement::list_schema()).unwrap();
-    let types = schema["$defs"].as_object().unwrap();
+    let (_, schema) = Statement::list_schema();
+    let types = schema["definitions"].as_object().unwrap();
     let read = statements(&understood(EXAMPLES));
     let examples: Vec<(Value, String)> =
         read.iter().map(|(_, one)| (serde_json::to_value(one).unwrap(), one.sentences().join(" "))).collect();
@@ -92,13 +92,16 @@ fn choice(text: &mut String, variant: &Value) {
 }
 
 fn type_of(field: &Value) -> String {
-    if let Some(name) = field["$ref"].as_str().and_then(|of| of.strip_prefix("#/$defs/")) {
+    if let Some(name) = field["$ref"].as_str().and_then(|of| of.strip_prefix("#/definitions/")) {
         return format!("[{name}](#{})", name.to_lowercase());
     }
     if let Some(either) = field["anyOf"].as_array() {
         return either.iter().filter(|of| of["type"] != "null").map(type_of).collect::<Vec<_>>().join(" or ");
     }
-    if let Some(items) = field["prefixItems"].as_array() {
+    if let Some(either) = field["allOf"].as_array() {
+        return either.iter().map(type_of).collect();
+    }
+    if let Some(items) = field["items"].as_array() {
         return format!("list of {}", items.iter().map(type_of).collect::<Vec<_>>().join(" and "));
     }
     if let Some(fields) = field["properties"].as_object() {

@@ -10,7 +10,7 @@ use homebody_log::Cancel;
 use homebody_routine::behaviour::difference::Difference;
 use std::time::{Duration, Instant};
 
-/// Longest time of a sample before a command (our choice): nobody waits longer without a reason.
+/// Longest time of a sample before a command (our choice), as users expect an answer by then.
 pub const SAMPLE_TIME: Duration = Duration::from_secs(2);
 
 /// Fewest days that are judged (our choice): the first day begins at night, and the last one is not over.

@@ -1,4 +1,4 @@
-//! Drawn changes, measured before and after, or beside a twin without them.
+//! Drawn changes, measured before and after, or against a twin without them.
 
 use super::bounds::{self, count_bounds, mean, mean_error, spread};
 use super::days::DrawnPhase;
@@ -16,7 +16,7 @@ pub enum DrawnEffect {
     Longer(f64),
     LongerBy(f64),
     Oftener(f64),
-    /// Of a need, beside the twin; at night if true.
+    /// Of a need, against the twin; at night if true.
     NeedOftener(f64, bool),
     Skips(f64),
     Irregular(f64),

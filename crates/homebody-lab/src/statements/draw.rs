@@ -6,7 +6,6 @@ use super::homes::{DrawnBase, DrawnHome, HOMES, STARTS};
 use super::rule::DrawnRule;
 use homebody_core::calendar::Calendar;
 use homebody_core::random::Stream;
-use homebody_core::time::HOUR;
 use std::ops::RangeInclusive;
 
 /// A stream of drawn numbers.
@@ -160,7 +159,7 @@ impl DrawnLife {
         STARTS[self.start]
     }
 
-    /// Its calendar, in which the run begins at midnight.
+    /// Its calendar; the run begins at midnight.
     pub fn calendar(&self) -> Calendar {
         let (start, zone) = self.start();
         Calendar::new(&format!("{start}T00:00:00"), zone).expect("the start is a time of its zone")

@@ -455,7 +455,7 @@ impl DrawnHabit {
         let whole = minutes(inner.length());
         let mut fields = Vec::new();
         if whole > 0.0 {
-            // A guest goes out with nobody.
+            // A guest goes out alone.
             fields.push(FieldResult::range("whole days", 98.0, 100.1, 100.0 * within / whole, "% of the days between"));
         }
         let longest = all.iter().map(|one| minutes(one.time.length())).fold(0.0, f64::max) / 1440.0;

@@ -30,14 +30,14 @@ pub struct Difference {
 pub enum Measured {
     /// A whole run.
     Run,
-    /// The first days of a run. What has no occasion in them is not judged.
+    /// The first days of a run. A sentence without an occasion in them is not judged.
     Sample,
 }
 
 /// Occasions of a sample that must be missed or late before a sentence is reported (our choice): one may be chance.
 const LEAST_OF_SAMPLE: u32 = 2;
 
-/// The weight of a late occasion beside a missed one (our choice).
+/// The weight of a late occasion; a missed one weighs 1 (our choice).
 const LATE_WEIGHT: f64 = 0.5;
 
 /// Share of the planned activities that may be left out without a report (our choice): one day in twenty.
@@ -140,7 +140,7 @@ fn phase(life: &ResidentRoutine, id: SentenceId) -> Option<Phase> {
     }
 }
 
-/// What a sentence has lost.
+/// The loss of a sentence.
 struct Lost {
     expected: String,
     lived: String,

@@ -1,4 +1,4 @@
-//! Warnings of sentences without room in the first days, simulated beside a run or a cohort.
+//! Warnings of sentences without room in the first days, simulated during a run or a cohort.
 
 use super::check::tell_remark;
 use crate::failure::Failure;

@@ -158,7 +158,9 @@ impl RunArguments {
         let source = self.trust.source(self.scenario.as_deref().unwrap_or(Path::new("")))?;
         let setup = self.options.clone().setup(&source.open()?)?.cancel(signals.cancel());
         let (opened, length) = (setup.scenario().clone(), setup.span()?);
-        let sampled = if opened.has_routine() { Some(setup.plan()?) } else { None };
+        // The members of a list have conditions and routines of their own.
+        let has_sample = opened.has_routine() && self.profiles.is_none();
+        let sampled = if has_sample { Some(setup.plan()?) } else { None };
         let cohort = match (&self.profiles, self.members) {
             // Only the list knows who shows a condition that is left out.
             (Some(file), _) => {

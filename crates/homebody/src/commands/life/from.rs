@@ -26,7 +26,7 @@ use std::time::Duration;
 /// A language model turns the text into sentences of the routine language. Homebody checks each sentence and simulates 60 days; what
 /// is refused and what does not happen as it says goes back to the model, in at most four rounds. You see the text and the
 /// sentences side by side, with what the model assumed and what the language cannot say, and accept line by line. Only then the
-/// routine is written, with its sources as comments, and beside it the rounds as NAME.rounds.json.
+/// routine is written, with its sources as comments, and next to it the rounds as NAME.rounds.json.
 #[derive(clap::Args)]
 #[command(
     after_long_help = "Models: any server with the chat interface of OpenAI. Without --model, Homebody asks Ollama
@@ -50,7 +50,7 @@ pub struct LifeFromArguments {
     /// File with the text, or - for standard input
     #[arg(required_unless_present = "rounds")]
     text: Option<PathBuf>,
-    /// Scenario folder, or its scenario.json, in whose home the person lives
+    /// Scenario folder, or its scenario.json, with the home of the person
     #[arg(long, value_name = "SCENARIO", required_unless_present = "rounds")]
     home: Option<PathBuf>,
     #[command(flatten)]
@@ -138,7 +138,7 @@ impl LifeFromArguments {
         self.finish(&opened, &conversation, accepted, &files, Some(rounds))
     }
 
-    /// Without somebody who accepts: the table of given answers, or nothing before a model is asked in vain.
+    /// Without a terminal to accept lines in: the table of given answers, or nothing before a model is asked in vain.
     fn unseen(&self, conversation: &Conversation) -> Result<(), Failure> {
         if conversation.rounds() > 0 {
             tell_draft(conversation.draft()?);
@@ -146,7 +146,7 @@ impl LifeFromArguments {
         Err(Failure::asked(LifeMessage::NoTerminal))
     }
 
-    /// Asks the model. After an error in the middle, what it has answered is shown, and can be accepted if somebody is asked.
+    /// Asks the model. After an error in the middle, what it has answered is shown, and can be accepted in a terminal.
     fn converse(&self, conversation: &mut Conversation, is_asked: bool) -> Result<String, Failure> {
         let server = self.server()?;
         server.warning().into_iter().for_each(warn);

@@ -5,13 +5,13 @@ use std::path::PathBuf;
 homebody_core::messages! {
     /// Problems with the options of `homebody life from`.
     pub enum LifeMessage in "life-from" {
-        /// A person accepts each line. Without a terminal nobody can be asked.
+        /// A person accepts each line. Without a terminal, the command cannot ask.
         NoTerminal error "no-terminal" ("there is no terminal in which you could accept lines")
             hint ("add --yes to accept all lines, or --json to see them without writing a file");
         /// Standard input is either the text or the person who accepts lines.
         TextAndLines error "text-and-lines" ("the text comes from standard input, so that lines cannot be accepted there")
             hint ("name a file with the text, or add --yes or --json");
-        /// The scenario is not in a folder, so the place of the routine must be said.
+        /// The scenario is not in a folder, so the command needs the place of the routine.
         NoFolder error "no-folder" ("it is not clear where the routine should be written") hint ("add --out FILE");
         /// The answer has problems, which the assistant can correct.
         NotYet { problems: usize, differences: usize } warning "not-yet"
