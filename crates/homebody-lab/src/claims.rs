@@ -14,9 +14,8 @@ mod truth;
 #[cfg(test)]
 mod tests;
 
-pub use subject::{Filter, Subject};
 pub use text::{CLAIMS, CONDITIONS, Claim, ClaimCase, ClaimHome};
-pub use truth::{ClaimTruth, Occurrence};
+pub use truth::ClaimTruth;
 
 use crate::simulated::each_step;
 use homebody_core::run::Run;

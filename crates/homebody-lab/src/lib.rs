@@ -30,6 +30,5 @@ mod round_trip;
 mod sensor_faults;
 mod simulated;
 mod sphere;
-mod statements;
 
 pub use commands::{command, run};

@@ -22,7 +22,7 @@ homebody_core::messages! {
             hint ("choose one of: {known}", known = known.join(", "));
         /// A rounds file is written next to a routine that was made from a text.
         NotRounds { why: String } error "not-rounds" ("this is no file of rounds: {why}")
-            hint ("name the file NAME.rounds.json that stands beside a routine made of a text");
+            hint ("name the file NAME.rounds.json in the folder of a routine that was made from a text");
         /// No answer had a line that can be used.
         NothingUsable { rounds: usize, why: String } error "nothing-usable" ("no answer in {rounds} rounds has lines: {why}")
             hint ("choose a larger model with --model-name, or paste the prompt of --prompt into an assistant");

@@ -11,10 +11,7 @@ pub enum Subject {
     /// A value of a sensor, such as `OPEN`.
     Says(String),
     Metres,
-    /// Of long strides.
     Pace,
-    /// Of all strides.
-    Speed,
     /// Seconds of movement in bed an hour asleep.
     Turning,
     Severity(String),
@@ -47,7 +44,6 @@ impl Subject {
             ("lamps", "") => Subject::Lamps,
             ("metres", "") => Subject::Metres,
             ("pace", "") => Subject::Pace,
-            ("speed", "") => Subject::Speed,
             ("turning", "") => Subject::Turning,
             ("firings", "") => Subject::Firings,
             _ => Subject::Activity(text.to_owned()),

@@ -16,13 +16,13 @@ use std::path::PathBuf;
 ///
 /// Impossible events are people who touch in passing or wait for many minutes, activities of the bathroom in other rooms, passages of a
 /// shut front door, visits without a host or a visitor, meals eaten before they are cooked, and rows without length. Without a scenario,
-/// Homebody simulates all templates. The exit code is 1 if an impossible event occurs.
+/// Homebody simulates all templates with routines; scripts and paths decide for themselves. The exit code is 1 if an impossible event occurs.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody-lab possible
   homebody-lab possible my-home --days 365 --json")]
 pub struct PossibleLabArguments {
-    /// Scenario folders (default: all templates)
+    /// Scenario folders (default: all templates with routines)
     scenarios: Vec<PathBuf>,
     /// Days to simulate for each scenario
     #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u32).range(1..=3660))]
@@ -37,7 +37,10 @@ pub struct PossibleLabArguments {
 impl PossibleLabArguments {
     pub fn run(self) -> Result<(), Failure> {
         let opened: Vec<OpenScenario> = match self.scenarios.is_empty() {
-            true => Template::all().map(|template| template.source().open()).collect::<Result<_, _>>()?,
+            true => {
+                let all = Template::all().map(|template| template.source().open()).collect::<Result<Vec<_>, _>>()?;
+                all.into_iter().filter(OpenScenario::has_routine).collect()
+            }
             false => {
                 let open = |path: &PathBuf| self.trust.source(path)?.open();
                 self.scenarios.iter().map(open).collect::<Result<_, _>>()?

@@ -12,9 +12,9 @@ use super::errands::Errands;
 use super::item::Item;
 use super::manner::Manner;
 use super::needs::BodilyNeeds;
-use super::night::places_of_night;
 use super::places::{HomePlace, HomePlaces};
 use super::resident_routine::{DayParameters, ResidentRoutine};
+use super::rising::places_of_night;
 use super::script::{ActivitySetting, ActivityStep, Interruptible, STAYING_OVER, script};
 use super::tally::SentenceTally;
 use super::watch::{WatchInput, Watches};
@@ -459,22 +459,6 @@ impl RoutineDriver {
         if let Some(playing) = self.scripts.last_mut() {
             (playing.walks, playing.guest) = (walks, guest);
             playing.hears_the_bell = matches!(activity, Activity::Eat(_) | Activity::Nap);
-        }
-    }
-
-    /// The purpose of an activity's walks. Sitting down after an errand is the way back.
-    fn walks_for(&mut self, item: &Item) -> WalkPurpose {
-        let was_errand = std::mem::take(&mut self.was_errand);
-        match item.activity {
-            Activity::Housework if item.is_errand() => {
-                self.errands.run();
-                self.was_errand = true;
-                WalkPurpose::Errand
-            }
-            Activity::Prepare(_) | Activity::Housework => WalkPurpose::Cooking,
-            Activity::Wander | Activity::Pace | Activity::Lap => WalkPurpose::Roaming,
-            _ if item.is_filler() && was_errand => WalkPurpose::Back,
-            _ => WalkPurpose::Need,
         }
     }
 

@@ -94,3 +94,25 @@ impl Item {
         self.start < bed && self.lasts <= 20 * MINUTE
     }
 }
+
+impl Activity {
+    /// Done at night if so stated, in or out of bed; all other activities are done before bed.
+    pub(crate) fn is_of_the_night(&self) -> bool {
+        use Activity::{Drink, Fall, Lap, Leave, LieAwake, Pace, Snack, Stumble, UseBathroom, Wander};
+        matches!(self, UseBathroom | LieAwake | Fall | Stumble | Wander | Pace | Lap | Drink | Snack | Leave)
+    }
+
+    /// Whether it is done later if its time passed away from home or asleep; not if it is also done elsewhere.
+    pub(super) fn can_come_later(&self) -> bool {
+        matches!(self, Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall | Activity::Stumble)
+    }
+
+    /// As opposed to waiting for its turn.
+    pub(super) fn interrupts(&self, at_night: bool) -> bool {
+        match self {
+            Activity::Wander | Activity::Pace | Activity::Lap | Activity::LieAwake | Activity::UseBathroom => true,
+            Activity::Fall | Activity::Stumble => true,
+            _ => at_night,
+        }
+    }
+}

@@ -6,7 +6,7 @@ use super::defaults;
 use super::driver::RoutineDriver;
 use super::item::Item;
 use super::manner::Manner;
-use super::places::{HomePlace, HomePlaces};
+use super::places::HomePlace;
 use super::resident_routine::ResidentRoutine;
 use super::rising;
 use super::script::{ActivityStep, Interruptible, StayStep};
@@ -18,7 +18,6 @@ use homebody_core::posture::Posture;
 use homebody_core::role::Role;
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
 use std::collections::VecDeque;
-use std::sync::Arc;
 
 homebody_core::numbers! {
     /// Mean time to fall asleep (19.7 with a standard deviation of 11, polysomnography at 73.9 years).
@@ -166,7 +165,7 @@ impl RoutineDriver {
         self.parameters = self.life.parameters(day);
         self.parameters.slept_in = if day == self.agenda.day + 1 { self.slept_in } else { Span::ZERO };
         self.agenda = Agenda::new(&self.life, day, &self.parameters);
-        self.places = places_of_night(&self.usual_places, self.agenda.sleeps_at.as_deref());
+        self.places = rising::places_of_night(&self.usual_places, self.agenda.sleeps_at.as_deref());
         self.midnight = self.life.midnight(day);
         self.next_item = if was_away { self.agenda.items.partition_point(|item| item.start < now) } else { 0 };
         self.first_item = self.next_item;
@@ -182,9 +181,4 @@ impl RoutineDriver {
         self.needs.wake(now);
         self.watches.wake(day, &self.life);
     }
-}
-
-/// The places of the home with a stated place of sleep as the bed.
-pub(super) fn places_of_night(usual: &Arc<HomePlaces>, asleep_at: Option<&str>) -> Arc<HomePlaces> {
-    asleep_at.map_or_else(|| usual.clone(), |name| Arc::new(HomePlaces::clone(usual).sleeping_at(name)))
 }

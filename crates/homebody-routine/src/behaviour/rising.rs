@@ -1,11 +1,13 @@
 //! Times of rising and of going to bed, and draws of fuzzy numbers.
 
 use super::defaults;
+use super::places::HomePlaces;
 use super::resident_routine::{DayParameters, InForce, ResidentRoutine};
 use crate::routine::{Activity, DaySelection, Habit, HabitTime};
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::numbers::Numbers;
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
+use std::sync::Arc;
 
 const HOUR_S: f64 = 3600.0;
 
@@ -225,4 +227,9 @@ pub(super) fn varied_length(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
     let (mean, least) = (fuzzy.mean(), fuzzy.low);
     let most = if least < mean { (mean * (1.0 - LEAST) / (mean - least)).max(1.0) } else { irregular };
     varied(fuzzy, share, irregular.min(most))
+}
+
+/// The places of the home with a stated place of sleep as the bed.
+pub(super) fn places_of_night(usual: &Arc<HomePlaces>, asleep_at: Option<&str>) -> Arc<HomePlaces> {
+    asleep_at.map_or_else(|| usual.clone(), |name| Arc::new(HomePlaces::clone(usual).sleeping_at(name)))
 }

@@ -10,7 +10,7 @@ use super::manner::Manner;
 use super::places::HomePlace;
 use super::script::{self, ActivitySetting, ActivityStep, DoorParts, Interruptible, STAYING_OVER, StayStep};
 use crate::routine::{Activity, Meal};
-use homebody_core::activity::{HELPING, SLEEPING, VISITING};
+use homebody_core::activity::{BAKING, HELPING, SLEEPING, VISITING};
 use homebody_core::drivers::Next;
 use homebody_core::geometry::Point;
 use homebody_core::ids::ResidentId;
@@ -120,8 +120,7 @@ impl RoutineDriver {
     /// Opens the door. A host who cooks or eats returns to that, and sits with the visitor afterwards.
     pub(super) fn answer_the_bell(&mut self, now: RunTime) {
         let Some(index) = self.bell(now) else { return };
-        let is_busy =
-            |label: &str| label.starts_with("preparing_") || label.starts_with("eating_") || label == "baking";
+        let is_busy = |label: &str| label.starts_with("preparing_") || label.starts_with("eating_") || label == BAKING;
         if !self.scripts.last().is_some_and(|playing| is_busy(&playing.label)) {
             let item = self.agenda.items.remove(index);
             // A nap is over.

@@ -1,7 +1,9 @@
 use super::driver::{RoutineDriver, WalkPurpose};
+use super::item::Item;
 use super::manner::Manner;
 use super::places::HomePlace;
 use super::script::{ActivityStep, Interruptible, StayStep};
+use crate::routine::Activity;
 use homebody_core::drivers::Next;
 use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::posture::Posture;
@@ -21,6 +23,22 @@ fn metres(segment: &MotionSegment) -> f64 {
 }
 
 impl RoutineDriver {
+    /// The purpose of an activity's walks. Sitting down after an errand is the way back.
+    pub(super) fn walks_for(&mut self, item: &Item) -> WalkPurpose {
+        let was_errand = std::mem::take(&mut self.was_errand);
+        match item.activity {
+            Activity::Housework if item.is_errand() => {
+                self.errands.run();
+                self.was_errand = true;
+                WalkPurpose::Errand
+            }
+            Activity::Prepare(_) | Activity::Housework => WalkPurpose::Cooking,
+            Activity::Wander | Activity::Pace | Activity::Lap => WalkPurpose::Roaming,
+            _ if item.is_filler() && was_errand => WalkPurpose::Back,
+            _ => WalkPurpose::Need,
+        }
+    }
+
     pub(super) fn go(&mut self, spot: HomePlace, now: RunTime) {
         let Some(spot) = self.free_spot(spot.clone()) else { return self.wait_for(spot, now) };
         let hour = self.hour(now);

@@ -27,7 +27,7 @@ impl Default for DaySelection {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-enum Weekday {
+enum WeekdayName {
     Monday,
     Tuesday,
     Wednesday,
@@ -37,21 +37,21 @@ enum Weekday {
     Sunday,
 }
 
-impl Weekday {
-    const ALL: [Weekday; 7] = [
-        Weekday::Monday,
-        Weekday::Tuesday,
-        Weekday::Wednesday,
-        Weekday::Thursday,
-        Weekday::Friday,
-        Weekday::Saturday,
-        Weekday::Sunday,
+impl WeekdayName {
+    const ALL: [WeekdayName; 7] = [
+        WeekdayName::Monday,
+        WeekdayName::Tuesday,
+        WeekdayName::Wednesday,
+        WeekdayName::Thursday,
+        WeekdayName::Friday,
+        WeekdayName::Saturday,
+        WeekdayName::Sunday,
     ];
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-enum Month {
+enum MonthName {
     January,
     February,
     March,
@@ -66,20 +66,20 @@ enum Month {
     December,
 }
 
-impl Month {
-    const ALL: [Month; 12] = [
-        Month::January,
-        Month::February,
-        Month::March,
-        Month::April,
-        Month::May,
-        Month::June,
-        Month::July,
-        Month::August,
-        Month::September,
-        Month::October,
-        Month::November,
-        Month::December,
+impl MonthName {
+    const ALL: [MonthName; 12] = [
+        MonthName::January,
+        MonthName::February,
+        MonthName::March,
+        MonthName::April,
+        MonthName::May,
+        MonthName::June,
+        MonthName::July,
+        MonthName::August,
+        MonthName::September,
+        MonthName::October,
+        MonthName::November,
+        MonthName::December,
     ];
 }
 
@@ -88,9 +88,9 @@ impl Month {
 #[serde(deny_unknown_fields, default)]
 struct DayNames {
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    weekdays: Vec<Weekday>,
+    weekdays: Vec<WeekdayName>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    months: Vec<Month>,
+    months: Vec<MonthName>,
     /// Every this many days from the first.
     #[serde(skip_serializing_if = "Option::is_none")]
     every: Option<u32>,
@@ -105,8 +105,9 @@ impl From<DaySelection> for DayNames {
     fn from(days: DaySelection) -> DayNames {
         let all = DaySelection::ALL;
         let is_set = |bits: u16, index: usize| bits & 1 << index != 0;
-        let weekdays = Weekday::ALL.into_iter().enumerate().filter(|(index, _)| is_set(days.weekdays.into(), *index));
-        let months = Month::ALL.into_iter().enumerate().filter(|(index, _)| is_set(days.months, *index));
+        let weekdays =
+            WeekdayName::ALL.into_iter().enumerate().filter(|(index, _)| is_set(days.weekdays.into(), *index));
+        let months = MonthName::ALL.into_iter().enumerate().filter(|(index, _)| is_set(days.months, *index));
         DayNames {
             weekdays: weekdays.map(|(_, day)| day).filter(|_| days.weekdays != all.weekdays).collect(),
             months: months.map(|(_, month)| month).filter(|_| days.months != all.months).collect(),

@@ -58,7 +58,7 @@ fn with_a_nurse(other: &str) -> Folder {
     let folder = Folder::with("tigerplace");
     let routine = format!(
         "Margaret is 82.\nShe gets up at 07:00.\nOn Sundays she goes to church at 9:30 and is back by noon.\n{other}\n\
-         A nurse visits every day at 12:30 for 20 minutes.\nShe reads between 15:00 and 18:00 for 20 minutes.\n"
+         A nurse visits every day at 14:00 for 20 minutes.\nShe reads between 15:00 and 18:00 for 20 minutes.\n"
     );
     folder.write("tigerplace/margaret.routine", routine);
     folder.edit_json("tigerplace/scenario.json", |scenario| scenario["days"] = 21.into());

@@ -8,8 +8,9 @@ use homebody_core::activity::ACTIVITIES;
 const TABLE: [&str; 2] = ["crates/homebody-core/src/activity.rs", "web/src/activities.ts"];
 
 /// Words that are labels, too, and mean something else where they stand.
-const OTHER_MEANINGS: [(&str, &str, &str); 16] = [
+const OTHER_MEANINGS: [(&str, &str, &str); 23] = [
     ("crates/homebody-analysis/src/measures/registry.rs", "pacing", "a measure"),
+    ("crates/homebody-analysis/src/measures/registry.rs", "walking", "a measure"),
     ("crates/homebody-core/src/role.rs", "laundry", "a room"),
     ("crates/homebody-core/src/sensors/meaning.rs", "reading", "the value of a sensor"),
     ("crates/homebody-lab/src/daily_life/published.rs", "reading", "a line of a table for people"),
@@ -23,8 +24,14 @@ const OTHER_MEANINGS: [(&str, &str, &str); 16] = [
     ("crates/homebody-picture/src/density_map.rs", "away", "nobody at home"),
     ("crates/homebody-routine/src/language/build.rs", "away", "a word of the language"),
     ("crates/homebody-routine/src/behaviour/keys.rs", "away", "what a rule waits for"),
+    ("web/src/views/library/Library.svelte", "waiting", "a state of the page"),
+    ("web/src/views/life/Life.svelte", "waiting", "a state of the page"),
     ("web/src/views/life/Life.svelte", "writing", "a part of the page"),
+    ("web/src/views/live/Live.svelte", "waiting", "a state of the page"),
+    ("web/src/views/playback/Playback.svelte", "waiting", "a state of the page"),
+    ("web/src/views/playback/locating.svelte.ts", "walking", "a motion state"),
     ("web/src/wire.ts", "away", "a motion state"),
+    ("web/src/wire.ts", "walking", "a motion state"),
 ];
 
 #[test]
