@@ -8,7 +8,9 @@ use homebody_routine::statement::Statement;
 use std::fs;
 use std::path::PathBuf;
 
-/// Write the JSON Schemas of the scenario files and of statements, for text editors
+/// Write the JSON Schemas of the scenario files, for text editors
+///
+/// One more schema describes statements, the sentences of a routine as data.
 #[derive(clap::Args)]
 #[command(
     after_long_help = "Example:\n  homebody schema schemas\n\nMost editors use the schema named by the \"$schema\" key of a file."
