@@ -236,13 +236,15 @@ mod tests {
     #[test]
     fn what_can_be_said_is_in_the_table_of_activities_and_all_else_there_has_a_reason() {
         use homebody_core::activity::{
-            ACTIVITIES, AIRING, FETCHING_MAIL, FRESHENING_UP, LEAVING_HOME, PUTTING_CLOTHES_AWAY, RESTING, ROAMING,
-            SEEING_TO_KITCHEN, SLEEPING, TIDYING, VISITING,
+            ACTIVITIES, AIRING, FETCHING_MAIL, FRESHENING_UP, HELPING, LEAVING_HOME, PUTTING_CLOTHES_AWAY, RESTING,
+            ROAMING, SEEING_TO_KITCHEN, SLEEPING, TIDYING, VISITING, WAITING, WALKING,
         };
         let said: Vec<Activity> = Activity::all_of_table().collect();
         let mut labels: Vec<&str> = said.iter().map(Activity::label).collect();
         // The night, parts of outings and visits, and pets.
-        labels.extend([SLEEPING, LEAVING_HOME, VISITING, RESTING, ROAMING]);
+        labels.extend([SLEEPING, LEAVING_HOME, VISITING, HELPING, RESTING, ROAMING]);
+        // Ways and waits belong to the activity that follows.
+        labels.extend([WAITING, WALKING]);
         // Small errands, of which nobody speaks: together they are housework.
         labels.extend([TIDYING, SEEING_TO_KITCHEN, PUTTING_CLOTHES_AWAY, AIRING, FETCHING_MAIL, FRESHENING_UP]);
         labels.sort();
