@@ -7,7 +7,7 @@
 ...     hb.change({"later": {"activity": "going_to_bed", "by_s": 3600}}, since="day 40", over_days=14),
 ... ))
 On Tuesday and Friday, she reads in the armchair at 19:30 for 30 to 40 minutes.
-On Sunday, on 80 % of days, her daughter visits at 14:00 for 120 minutes.
+On Sunday, on 80 % of days, her daughter visits at 14:00 for 2 hours.
 From day 40, over 14 days, she goes to bed 1 hour later.
 <BLANKLINE>
 """
