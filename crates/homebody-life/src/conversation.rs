@@ -171,7 +171,7 @@ impl Conversation {
         }
     }
 
-    /// Asks a model until nothing is wrong, or for [`MOST_ROUNDS`]. What was answered before an error stays.
+    /// Asks a model until nothing is wrong, or for [`MOST_ROUNDS`]. Answers before an error stay.
     ///
     /// # Errors
     ///

@@ -29,9 +29,9 @@ pub struct DraftLine {
     pub is_in_text: bool,
     /// Sentences of the routine language.
     pub statements: Vec<DraftStatement>,
-    /// What the model chose because the text leaves it open.
+    /// Choices of the model where the text leaves something open.
     pub assumed: Vec<String>,
-    /// What the language cannot say.
+    /// The parts that the language cannot say.
     pub cannot_be_said: Vec<String>,
 }
 
@@ -43,13 +43,13 @@ pub struct DraftStatement {
     /// The reason why it is refused.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refused: Option<String>,
-    /// What a simulation did otherwise.
+    /// The difference between the statement and its simulation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub difference: Option<Difference>,
 }
 
 impl LifeDraft {
-    /// What the model has to correct: refused statements, sentences without a line, lines without a sentence.
+    /// The corrections that the model has to make: refused statements, sentences without a line, lines without a sentence.
     pub fn problems(&self) -> Vec<String> {
         let refused = self.lines.iter().flat_map(|line| {
             let of_line = line.statements.iter().filter_map(|statement| Some((statement, statement.refused.as_ref()?)));
@@ -65,7 +65,7 @@ impl LifeDraft {
         refused.chain(invented).chain(left_out).chain(stops).collect()
     }
 
-    /// What a simulation did otherwise than the statements say.
+    /// The differences between the statements and their simulation.
     pub fn differences(&self) -> Vec<String> {
         let of_line = |line: &DraftLine| {
             let all = line.statements.iter().filter_map(|statement| statement.difference.as_ref());

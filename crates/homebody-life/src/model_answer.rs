@@ -19,9 +19,9 @@ pub struct AnswerLine {
     pub source: String,
     /// Sentences of the routine language.
     pub statements: Vec<String>,
-    /// What the text leaves open and the model chose.
+    /// Choices of the model where the text leaves something open.
     pub assumed: Vec<String>,
-    /// What the text says and the language cannot.
+    /// The parts of the text that the language cannot say.
     pub cannot_be_said: Vec<String>,
 }
 

@@ -13,7 +13,7 @@ use ureq::http::{Response, Uri};
 use ureq::tls::{Certificate, RootCerts, TlsConfig};
 use ureq::{Agent, Body, Error};
 
-/// Where Ollama and llama.cpp listen.
+/// The addresses of Ollama and llama.cpp.
 pub const LOCAL_SERVERS: [&str; 2] = ["http://localhost:11434/v1", "http://localhost:8080/v1"];
 
 /// Longest answer (our choice): a routine of the longest text has a tenth.
@@ -36,7 +36,7 @@ pub struct ChatMessage {
 }
 
 impl ChatMessage {
-    /// What a model is told before all else.
+    /// The instructions, before all else.
     pub fn system(content: &str) -> ChatMessage {
         ChatMessage { role: "system", content: content.to_owned() }
     }

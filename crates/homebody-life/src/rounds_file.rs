@@ -1,4 +1,4 @@
-//! The rounds of a conversation in a file next to the routine, from which the routine can be made again without a model.
+//! The rounds of a conversation in a file next to the routine. The routine can be made from it again without a model.
 
 use crate::messages::FreeTextError;
 use serde::{Deserialize, Serialize};
@@ -7,13 +7,13 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ConversationRound {
-    /// What was asked.
+    /// The request.
     pub prompt: String,
     /// The answer as it came.
     pub answer: String,
-    /// What the model had to correct.
+    /// The corrections that the model had to make.
     pub problems: Vec<String>,
-    /// What a simulation did otherwise than the statements say.
+    /// The differences between the statements and their simulation.
     pub differences: Vec<String>,
 }
 
@@ -31,7 +31,7 @@ pub struct RoundsFile {
     pub model: Option<String>,
     /// The text.
     pub text: String,
-    /// What the model was told before the text.
+    /// The instructions before the text.
     pub system: String,
     /// In order.
     pub rounds: Vec<ConversationRound>,

@@ -1,4 +1,4 @@
-//! What a model is told before it sees a text: the card of the language, the home, and the deeds that the program knows.
+//! The instructions for a model: the card of the language, the home, and the deeds that the program knows.
 
 use crate::free_text::FreeText;
 use crate::trial::StatementTrial;
@@ -47,7 +47,7 @@ pub fn first_request(text: &FreeText) -> String {
     )
 }
 
-/// What a model is asked to correct.
+/// The request for corrections.
 pub fn next_request(problems: &[String], differences: &[String]) -> String {
     let list = |texts: &[String]| texts.iter().map(|text| format!("- {text}\n")).collect::<String>();
     let mut request = String::new();

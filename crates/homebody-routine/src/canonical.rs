@@ -89,7 +89,7 @@ fn front(when: &When) -> Vec<String> {
     words
 }
 
-pub fn phase_words(phase: &Phase) -> Vec<String> {
+fn phase_words(phase: &Phase) -> Vec<String> {
     let days = |days: f64| format!("{} days", number(days));
     let from = phase.from.map(|from| format!("from {}", moment(from)));
     let over = (phase.over_days > 0.0).then(|| format!("over {}", days(phase.over_days)));
@@ -102,8 +102,8 @@ fn moment(moment: PhaseDay) -> String {
     moment.into()
 }
 
-const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
-const MONTHS: [&str; 12] = [
+pub const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
+pub const MONTHS: [&str; 12] = [
     "January",
     "February",
     "March",
@@ -119,7 +119,7 @@ const MONTHS: [&str; 12] = [
 ];
 const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
 
-pub fn days_words(days: &DaySelection) -> Vec<String> {
+fn days_words(days: &DaySelection) -> Vec<String> {
     let names = |bits: u16, names: &[&str]| {
         let set = names.iter().enumerate().filter(|(i, _)| bits & 1 << i != 0).map(|(_, name)| *name);
         list(&set.collect::<Vec<_>>())
@@ -159,7 +159,7 @@ pub fn days_words(days: &DaySelection) -> Vec<String> {
     words
 }
 
-pub fn chance_words(chance: &HabitChance) -> Option<String> {
+fn chance_words(chance: &HabitChance) -> Option<String> {
     match (chance.days_a_week, chance.becomes) {
         (Some(days), _) => Some(format!("{} a week", count(days.into()))),
         (None, Some((becomes, by))) => Some(format!(
@@ -210,7 +210,7 @@ fn part_words(part: PartOfDay) -> String {
     }
 }
 
-pub fn time_words(time: &HabitTime) -> Option<String> {
+fn time_words(time: &HabitTime) -> Option<String> {
     let gap = |gap: &Option<Fuzzy>, word: &str, of: &Activity| {
         let gap = gap.as_ref().map(|gap| format!("{} ", duration(gap))).unwrap_or_default();
         format!("{gap}{word} she {}", phrase(of))

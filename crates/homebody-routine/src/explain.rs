@@ -1,5 +1,6 @@
 //! The meaning of a routine, sentence by sentence, in numbers and in words.
 
+use crate::canonical::{MONTHS, WEEKDAYS};
 use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
@@ -285,22 +286,6 @@ fn shift(what: &str, by: &Fuzzy, more: &str, less: &str) -> String {
         false => format!("{what} {} {more}", span_words(by.low, by.high)),
     }
 }
-
-const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
-const MONTHS: [&str; 12] = [
-    "January",
-    "February",
-    "March",
-    "April",
-    "May",
-    "June",
-    "July",
-    "August",
-    "September",
-    "October",
-    "November",
-    "December",
-];
 
 /// `None` if all are set.
 fn named(bits: u16, names: &[&str]) -> Option<String> {

@@ -160,18 +160,14 @@ pub struct Phase {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<PhaseDay>,
     /// Days from the start to full strength.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "super::is_usual")]
     pub over_days: f64,
     /// The first day without it, or on which it begins to fade.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub until: Option<PhaseDay>,
     /// Days from `until` to zero strength.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "super::is_usual")]
     pub fading_days: f64,
-}
-
-fn is_zero(days: &f64) -> bool {
-    *days == 0.0
 }
 
 /// A day: "day 40" of the run, which begins with day 1, or a date such as "2009-05-01".
