@@ -85,10 +85,7 @@ impl StatementTrial {
     /// Reads each statement after those that were accepted, for problems that name no line.
     fn read_one_by_one(&self, statements: &[String], mut refused: Vec<Option<String>>) -> TriedStatements {
         let (mut kept, mut accepted) = (Vec::new(), None);
-        for index in 0..statements.len() {
-            if refused[index].is_some() {
-                continue;
-            }
+        for (index, reason) in refused.iter_mut().enumerate().filter(|(_, reason)| reason.is_none()) {
             kept.push(index);
             let why = match self.with_routine(&text_of(statements, &kept)) {
                 Ok(opened) => match self.unsimulated(&opened).pop() {
@@ -100,7 +97,7 @@ impl StatementTrial {
                 },
                 Err(problems) => problems.first().map(Problem::text).unwrap_or_default(),
             };
-            refused[index] = Some(why);
+            *reason = Some(why);
             kept.pop();
         }
         TriedStatements { refused, accepted }

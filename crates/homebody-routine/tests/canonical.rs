@@ -16,9 +16,7 @@ pub fn meaning(routine: &Routine) -> Value {
     fn strip(value: &mut Value) {
         match value {
             Value::Object(fields) => {
-                for field in ["remarks"] {
-                    fields.remove(field);
-                }
+                fields.remove("remarks");
                 fields.values_mut().for_each(strip);
             }
             Value::Array(values) => values.iter_mut().for_each(strip),

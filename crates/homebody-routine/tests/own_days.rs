@@ -149,7 +149,7 @@ fn what_follows_a_meal_never_comes_before_it() {
 #[test]
 fn the_place_of_sleep_is_that_of_the_night() {
     let room = |lived: &Simulated, night: Interval<RunTime>| {
-        let at = lived.events.facts.iter().filter_map(|fact| match fact {
+        let mut at = lived.events.facts.iter().filter_map(|fact| match fact {
             Fact::Movement { resident, begin, doing: MotionState::Rest { at }, .. }
                 if resident.index() == 0 && night.contains(*begin) =>
             {
@@ -157,7 +157,7 @@ fn the_place_of_sleep_is_that_of_the_night() {
             }
             _ => None,
         });
-        let at = at.last()?;
+        let at = at.next_back()?;
         let near = |name: &str| {
             let place = lived.places.iter().find(|(place, _)| place == name);
             place.is_some_and(|(_, place)| place.distance(at) < 1.2)
