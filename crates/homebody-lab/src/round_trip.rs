@@ -215,7 +215,7 @@ impl RoutineClaims<'_> {
 
     fn clock(&self, activity: &Activity, day: i32, stream: &mut Stream) -> Option<f64> {
         let habits = self.habits(day, |habit| habit.activity == *activity);
-        let at = habits.iter().find_map(|habit| match &habit.said.when {
+        let at = habits.iter().find_map(|habit| match &habit.said.when.time {
             HabitTime::At(time) => Some(time),
             _ => None,
         });
@@ -231,7 +231,7 @@ impl RoutineClaims<'_> {
     fn times(&self, day: i32, stream: &mut Stream, is_it: impl Fn(&Habit) -> bool) -> Option<f64> {
         let habits = self.habits(day, is_it);
         let times = habits.iter().map(|habit| {
-            let (least, most) = habit.said.times;
+            let (least, most) = habit.said.when.times;
             let times = f64::from(least) + (f64::from(most - least + 1) * stream.unit()).floor();
             let holds = stream.unit() < self.life.chance(habit.said, habit.strength, day);
             if holds { times } else { 0.0 }
@@ -243,7 +243,7 @@ impl RoutineClaims<'_> {
         let habits = self.habits(day, |habit| habit.activity == Activity::Leave);
         let mut sum = 0.0;
         for habit in habits {
-            let lasts: Fuzzy = habit.said.lasts?;
+            let lasts: Fuzzy = habit.said.when.lasts?;
             let hours = lasts.draw(stream) / HOUR;
             let holds = stream.unit() < self.life.chance(habit.said, habit.strength, day);
             sum += if holds { hours } else { 0.0 };

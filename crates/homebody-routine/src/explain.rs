@@ -163,12 +163,12 @@ fn habit_row(habit: &Habit) -> ExplanationRow {
         Some(visitor) => format!("{visitor} {doing}"),
         None => doing.clone(),
     };
-    let start = match &habit.when {
+    let start = match &habit.when.time {
         HabitTime::At(at) => Some(Spread::from_fuzzy(at)),
         _ => None,
     };
-    let lasts = habit.lasts.as_ref().map(Spread::from_fuzzy);
-    let times = match habit.times {
+    let lasts = habit.when.lasts.as_ref().map(Spread::from_fuzzy);
+    let times = match habit.when.times {
         (1, 1) => String::new(),
         (least, most) if least == most => format!("{least} times"),
         (least, most) => format!("{least} to {most} times"),
@@ -179,30 +179,30 @@ fn habit_row(habit: &Habit) -> ExplanationRow {
             let when = when_words(&HabitTime::Within(part), &habit.activity);
             format!("{} times out of 4 {}, else at another time", 4.0 * USUAL_SHARE, when.trim_start_matches("start "))
         }
-        None => when_words(&habit.when, &habit.activity),
+        None => when_words(&habit.when.time, &habit.activity),
     };
     let place = habit.place.as_ref().map(|place| format!("at the {place}"));
-    let lasting = habit.lasts.as_ref().map(|lasts| format!("lasts {}", lasts_words(lasts)));
-    let until = habit.until.as_ref().map(|until| format!("until {}", clock_words(until)));
+    let lasting = habit.when.lasts.as_ref().map(|lasts| format!("lasts {}", lasts_words(lasts)));
+    let until = habit.when.until.as_ref().map(|until| format!("until {}", clock_words(until)));
     let said = [
-        Some(format!("{} {who} {doing}", days_words(&habit.days, &habit.chance))),
+        Some(format!("{} {who} {doing}", days_words(&habit.when.days, &habit.when.chance))),
         place,
         Some(times.clone()),
         Some(when.clone()),
         lasting,
         until.clone(),
-        Some(phase_words(&habit.phase)),
+        Some(phase_words(&habit.when.phase)),
     ];
-    let short_mostly = mostly.map_or_else(|| short_when(&habit.when), |part| format!("mostly {}", part.word()));
+    let short_mostly = mostly.map_or_else(|| short_when(&habit.when.time), |part| format!("mostly {}", part.word()));
     let short_when = [times, short_mostly, until.unwrap_or_default()];
     ExplanationRow {
         place: habit.place.clone(),
-        days: short_days(&habit.days, &habit.chance),
-        probability: Some(habit.chance.probability),
+        days: short_days(&habit.when.days, &habit.when.chance),
+        probability: Some(habit.when.chance.probability),
         when: join(short_when.into_iter(), " "),
         start,
         lasts,
-        phase: phase_words(&habit.phase),
+        phase: phase_words(&habit.when.phase),
         in_words: sentence(said.into_iter().flatten()),
         ..row(habit.said.line, &habit.said.text, ExplanationKind::Habit, what)
     }
@@ -215,15 +215,15 @@ fn rule_row(rule: &RoutineRule) -> ExplanationRow {
         Response::Do { lasts, .. } => lasts.as_ref().map(Spread::from_fuzzy),
         Response::Turn { .. } => None,
     };
-    let chance = format!("with probability {}", number(rule.probability));
-    let said = [format!("{whenever}, {chance} the person {response}"), phase_words(&rule.phase)];
+    let chance = format!("with probability {}", number(rule.when.chance.probability));
+    let said = [format!("{whenever}, {chance} the person {response}"), phase_words(&rule.when.phase)];
     ExplanationRow {
-        probability: Some(rule.probability),
+        probability: Some(rule.when.chance.probability),
         when: whenever,
         waits: Some(Spread::from_fuzzy(&rule.lasts)),
         lasts,
-        days: format!("p {}", number(rule.probability)),
-        phase: phase_words(&rule.phase),
+        days: format!("p {}", number(rule.when.chance.probability)),
+        phase: phase_words(&rule.when.phase),
         in_words: sentence(said.into_iter()),
         ..row(rule.said.line, &rule.said.text, ExplanationKind::Rule, response)
     }
@@ -235,9 +235,9 @@ fn remark_row(remark: &Quote) -> ExplanationRow {
 }
 
 fn change_row(change: &RoutineChange) -> ExplanationRow {
-    let what = effect_words(&change.effect);
-    let phase = phase_words(&change.phase);
-    let on = if change.days == DaySelection::ALL { String::new() } else { which_days(&change.days) };
+    let what = effect_words(change);
+    let phase = phase_words(&change.when.phase);
+    let on = if change.when.days == DaySelection::ALL { String::new() } else { which_days(&change.when.days) };
     ExplanationRow {
         in_words: sentence([what.clone(), on.clone(), phase.clone()].into_iter()),
         days: on,
@@ -246,39 +246,32 @@ fn change_row(change: &RoutineChange) -> ExplanationRow {
     }
 }
 
-fn effect_words(effect: &Effect) -> String {
+fn effect_words(change: &RoutineChange) -> String {
     let factor = |factor: &Fuzzy| format!("{} times", numbers(factor.low, factor.high));
-    let part = |part: &Option<PartOfDay>| part.map_or(String::new(), |part| format!(" ({})", part.word()));
-    match effect {
+    let part = change.when.part().map_or(String::new(), |part| format!(" ({})", part.word()));
+    let chance = number(change.when.chance.probability);
+    match &change.effect {
         Effect::Shows { condition, severity } => format!("{condition}, {}", severity_words(*severity)),
         Effect::Pace(by) => format!("walking speed {}", factor(by)),
         Effect::PaceEachWeek(by) => format!("walking speed {} m/s more each week", numbers(by.low, by.high)),
         Effect::Later { activity, by } => shift(&phrase(activity), by, "later", "earlier"),
         Effect::Longer { activity, factor: by } => format!("{} {} as long", phrase(activity), factor(by)),
         Effect::LongerBy { activity, by } => shift(&phrase(activity), by, "longer", "shorter"),
-        Effect::Oftener { activity, part: when, factor: by } if by.high <= 0.0 => {
-            format!("never {}{}", phrase(activity), part(when))
-        }
-        Effect::Oftener { activity, part: when, factor: by } => {
-            format!("{}{} {} as often", phrase(activity), part(when), factor(by))
-        }
-        Effect::Skips { activity, chance } => {
-            format!("{}: left out on a day with probability {}", phrase(activity), number(*chance))
+        Effect::Oftener { activity, factor: by } if by.high <= 0.0 => format!("never {}{part}", phrase(activity)),
+        Effect::Oftener { activity, factor: by } => format!("{}{part} {} as often", phrase(activity), factor(by)),
+        Effect::Skips { activity } => {
+            format!("{}: left out on a day with probability {chance}", phrase(activity))
         }
         Effect::Irregular(by) => format!("times and durations vary {} as much", factor(by)),
-        Effect::Active { part: when, factor: by } => {
-            format!("movement while awake at home{} {}", part(when), factor(by))
-        }
+        Effect::Active { factor: by } => format!("movement while awake at home{part} {}", factor(by)),
         Effect::DaysDiffer(by) => format!("days differ {} as much in how lively they are", factor(by)),
-        Effect::DaysAre { kind, very, chance } => {
+        Effect::DaysAre { kind, very } => {
             let very = if *very { "very " } else { "" };
-            format!("{very}{} days, with probability {}", kind.word(), number(chance.probability))
+            format!("{very}{} days, with probability {chance}", kind.word())
         }
         Effect::SleepsIn => "after a late night gets up as much later".into(),
         Effect::Restless(by) => format!("turning in bed {}", factor(by)),
-        Effect::Forgets { thing, chance } => {
-            format!("{thing}: left on or open after use with probability {}", number(*chance))
-        }
+        Effect::Forgets { thing } => format!("{thing}: left on or open after use with probability {chance}"),
         Effect::Shy { of: Shy::OpenFloor, gain } => {
             format!("wandering: keeps close to the walls, gain {}", number(*gain))
         }

@@ -3,6 +3,7 @@
 pub mod routine;
 
 pub mod language;
+pub mod canonical;
 pub mod explain;
 pub mod completion;
 

@@ -314,7 +314,8 @@ fn used_roles<'t>(places: &HomePlaces, texts: &[&'t Routine]) -> Vec<(Role, Opti
     let mut used: Vec<(Activity, Option<(&str, &Quote)>)> = Vec::new();
     for text in texts {
         let done = text.habits.iter().filter(|habit| {
-            habit.chance.probability > 0.0 || habit.chance.becomes.is_some_and(|(probability, _)| probability > 0.0)
+            habit.when.chance.probability > 0.0
+                || habit.when.chance.becomes.is_some_and(|(probability, _)| probability > 0.0)
         });
         used.extend(done.map(|habit| (habit.activity.clone(), Some((text.file.as_str(), &habit.said)))));
         for rule in &text.rules {

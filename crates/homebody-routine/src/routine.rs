@@ -68,18 +68,49 @@ pub struct Habit {
     pub activity: Activity,
     /// The name of a place, a piece of furniture or a room, if stated.
     pub place: Option<String>,
-    pub chance: HabitChance,
-    pub days: DaySelection,
+    pub when: When,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub falling: Option<Falling>,
+}
+
+/// The days, the times of day, the length and the frequency of what a statement says.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct When {
     pub phase: Phase,
-    pub when: HabitTime,
+    pub days: DaySelection,
+    pub chance: HabitChance,
+    pub time: HabitTime,
     /// Duration in seconds, if stated.
     pub lasts: Option<Fuzzy>,
     /// End in seconds since midnight, if stated.
     pub until: Option<Fuzzy>,
-    /// The least and the most repetitions in each span that `when` names.
+    /// The least and the most repetitions in each span that `time` names.
     pub times: (u32, u32),
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub falling: Option<Falling>,
+}
+
+impl Default for When {
+    /// Once on each day, at any time.
+    fn default() -> When {
+        When {
+            phase: Phase::default(),
+            days: DaySelection::ALL,
+            chance: HabitChance::ALWAYS,
+            time: HabitTime::AnyTime,
+            lasts: None,
+            until: None,
+            times: (1, 1),
+        }
+    }
+}
+
+impl When {
+    /// The part of the day, if it is all that is stated about the time of day.
+    pub fn part(&self) -> Option<PartOfDay> {
+        match self.time {
+            HabitTime::Within(part) => Some(part),
+            _ => None,
+        }
+    }
 }
 
 /// The probability of a habit on each day, night or occasion.
@@ -119,8 +150,8 @@ pub struct RoutineRule {
     pub lasts: Fuzzy,
     /// Further conditions when it is due.
     pub only_if: Vec<Circumstance>,
-    pub probability: f64,
-    pub phase: Phase,
+    /// The days and the probability; the trigger gives the time.
+    pub when: When,
     pub response: Response,
     /// Responses after the first.
     pub then: Vec<Response>,
@@ -199,8 +230,8 @@ pub enum Response {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RoutineChange {
     pub said: Quote,
-    pub days: DaySelection,
-    pub phase: Phase,
+    /// The time is a part of the day or none, and the chance is that of each day or occasion.
+    pub when: When,
     pub effect: Effect,
 }
 
@@ -220,24 +251,24 @@ pub enum Effect {
     Longer { activity: Activity, factor: Fuzzy },
     /// Seconds added to durations; shorter if negative.
     LongerBy { activity: Activity, by: Fuzzy },
-    /// Factor on frequency.
-    Oftener { activity: Activity, part: Option<PartOfDay>, factor: Fuzzy },
-    /// Probability of skipping it on a day.
-    Skips { activity: Activity, chance: f64 },
+    /// Factor on frequency, in the part of the day if one is stated.
+    Oftener { activity: Activity, factor: Fuzzy },
+    /// Skipped on a day, with the stated chance.
+    Skips { activity: Activity },
     /// Factor on the variation of times and durations between days.
     Irregular(Fuzzy),
-    /// Factor on movement while awake and at home, in a part of the day if stated.
-    Active { part: Option<PartOfDay>, factor: Fuzzy },
+    /// Factor on movement while awake and at home, in the part of the day if one is stated.
+    Active { factor: Fuzzy },
     /// Factor on the variation of activity levels between days.
     DaysDiffer(Fuzzy),
-    /// Days of this kind, with their probability; `very` squares the factor of the kind.
-    DaysAre { kind: DayKind, very: bool, chance: HabitChance },
+    /// Days of this kind, with the stated chance; `very` squares the factor of the kind.
+    DaysAre { kind: DayKind, very: bool },
     /// A late bedtime delays rising by as much.
     SleepsIn,
     /// Factor on movements in bed.
     Restless(Fuzzy),
-    /// Probability that a thing stays on or open after each use.
-    Forgets { thing: String, chance: f64 },
+    /// A thing stays on or open after a use, with the stated chance.
+    Forgets { thing: String },
     /// Beats per minute added.
     Pulse(Fuzzy),
     /// Breaths per minute added.
@@ -275,7 +306,7 @@ impl Habit {
     /// Whether it states the frequency of an activity by day or by night. A time, or a preceding activity, only describes
     /// one occasion.
     pub fn is_how_often(&self, activity: &Activity, at_night: bool) -> bool {
-        let span = match self.when {
+        let span = match self.when.time {
             HabitTime::AnyTime | HabitTime::Within(PartOfDay::Day) => Some(false),
             HabitTime::Within(PartOfDay::Night) => Some(true),
             _ => None,
@@ -286,8 +317,8 @@ impl Habit {
     /// Whether it replaces a usual habit: the same activity, and after the same one if several differ by that.
     pub(crate) fn stands_for(&self, usual: &Habit) -> bool {
         // A week in hospital does not replace usual outings.
-        let is_long = self.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
-        let is_after_another = match (&self.when, &usual.when) {
+        let is_long = self.when.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
+        let is_after_another = match (&self.when.time, &usual.when.time) {
             (HabitTime::After(of, _), HabitTime::After(after, _)) => usual.activity == Activity::WashUp && of != after,
             _ => false,
         };
@@ -301,23 +332,22 @@ impl Habit {
     }
 }
 
-impl Effect {
+impl RoutineChange {
     /// Whether both change the same, so that the later one replaces the other.
-    pub(crate) fn is_of_the_same(&self, other: &Effect) -> bool {
+    pub(crate) fn is_of_the_same(&self, other: &RoutineChange) -> bool {
         use Effect::{Active, DaysAre, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips};
-        match (self, other) {
+        let is_same_part = self.when.part() == other.when.part();
+        match (&self.effect, &other.effect) {
             (Shows { .. }, _) => false,
             (Later { activity, .. }, Later { activity: of, .. })
             | (Longer { activity, .. }, Longer { activity: of, .. })
             | (LongerBy { activity, .. }, LongerBy { activity: of, .. })
-            | (Skips { activity, .. }, Skips { activity: of, .. }) => activity == of,
-            (Oftener { activity, part, .. }, Oftener { activity: of, part: when, .. }) => {
-                activity == of && part == when
-            }
+            | (Skips { activity }, Skips { activity: of }) => activity == of,
+            (Oftener { activity, .. }, Oftener { activity: of, .. }) => activity == of && is_same_part,
             (DaysAre { kind, .. }, DaysAre { kind: of, .. }) => kind == of,
-            (Active { part, .. }, Active { part: when, .. }) => part == when,
-            (Forgets { thing, .. }, Forgets { thing: of, .. }) => thing.to_lowercase() == of.to_lowercase(),
-            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
+            (Active { .. }, Active { .. }) => is_same_part,
+            (Forgets { thing }, Forgets { thing: of }) => thing.to_lowercase() == of.to_lowercase(),
+            (effect, of) => std::mem::discriminant(effect) == std::mem::discriminant(of),
         }
     }
 }

@@ -89,10 +89,13 @@ fn read(text: &str) -> Duration {
 /// A routine without problems can run.
 fn sane(routine: &homebody_routine::routine::Routine, is_right: bool) {
     for habit in routine.habits.iter().filter(|_| is_right) {
-        assert!((0.0..=1.0).contains(&habit.chance.probability), "{habit:?}");
-        assert!(habit.days.every >= 1 && habit.days.weekdays != 0 && habit.days.months != 0, "{habit:?}");
-        assert!(habit.times.0 >= 1 && habit.times.0 <= habit.times.1, "{habit:?}");
-        if let Some(lasts) = habit.lasts {
+        assert!((0.0..=1.0).contains(&habit.when.chance.probability), "{habit:?}");
+        assert!(
+            habit.when.days.every >= 1 && habit.when.days.weekdays != 0 && habit.when.days.months != 0,
+            "{habit:?}"
+        );
+        assert!(habit.when.times.0 >= 1 && habit.when.times.0 <= habit.when.times.1, "{habit:?}");
+        if let Some(lasts) = habit.when.lasts {
             assert!(lasts.low >= 0.0 && lasts.low <= lasts.from && lasts.from <= lasts.to && lasts.to <= lasts.high);
         }
     }

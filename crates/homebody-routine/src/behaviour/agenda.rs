@@ -188,7 +188,7 @@ impl Planner<'_> {
                 count = count.min(said.saturating_sub(2));
                 self.bathroom = Some(said);
             }
-            if habit.when == HabitTime::Then && before.1.is_none() {
+            if habit.when.time == HabitTime::Then && before.1.is_none() {
                 continue;
             }
             let mut last = None;
@@ -216,7 +216,7 @@ impl Planner<'_> {
         let (life, tomorrow) = (self.life, self.day + 1);
         for in_force in life.habits(tomorrow) {
             let InForce { said: habit, source, .. } = in_force;
-            let HabitTime::At(time) = &habit.when else { continue };
+            let HabitTime::At(time) = &habit.when.time else { continue };
             let is_day = matches!(habit.activity, Activity::GetUp | Activity::GoToBed) && habit.visitor.is_none();
             if is_day || source == ResidentRoutine::UNSAID || life.instant(tomorrow, time.low) >= self.next_up {
                 continue;
@@ -231,12 +231,12 @@ impl Planner<'_> {
     /// Number of repetitions on a day.
     fn count(&self, in_force: &InForce<Habit>, day: i32) -> u32 {
         let InForce { said: habit, strength, key, .. } = *in_force;
-        if !self.life.is_on(&habit.days, day) {
+        if !self.life.is_on(&habit.when.days, day) {
             return 0;
         }
         let key = of_time(key, 0);
         let share = |purpose: &str| self.life.stream_of_day(day, &format!("{key}/{purpose}")).unit();
-        let within = match habit.when {
+        let within = match habit.when.time {
             HabitTime::Within(part) => Some(part),
             _ => None,
         };
@@ -248,17 +248,20 @@ impl Planner<'_> {
             ref activity => activity.clone(),
         };
         let skip = self.life.stream_of_day(day, &format!("skip/{}", skipped.label())).unit();
-        if let Some(days) = habit.chance.days_a_week
+        if let Some(days) = habit.when.chance.days_a_week
             && !self.is_one_of(habit, &key, days, day)
         {
             return 0;
         }
-        let chance =
-            if habit.chance.days_a_week.is_some() { (chance / habit.chance.probability).min(1.0) } else { chance };
+        let chance = if habit.when.chance.days_a_week.is_some() {
+            (chance / habit.when.chance.probability).min(1.0)
+        } else {
+            chance
+        };
         if share("whether") >= (chance * oftener.min(1.0)).min(1.0) || skip < self.parameters.skips(&skipped) {
             return 0;
         }
-        let (least, most) = habit.times;
+        let (least, most) = habit.when.times;
         let drawn = f64::from(least) + libm::floor(share("times") * f64::from(most - least + 1));
         // A fraction becomes a probability.
         let times = drawn * oftener.max(1.0);
@@ -268,7 +271,7 @@ impl Planner<'_> {
 
     /// Whether a day is among the days of its week that are drawn for the habit.
     fn is_one_of(&self, habit: &Habit, key: &str, days: u8, today: i32) -> bool {
-        let meant = self.life.week_of(today).filter(|&day| self.life.is_on(&habit.days, day));
+        let meant = self.life.week_of(today).filter(|&day| self.life.is_on(&habit.when.days, day));
         let share = |day: i32| self.life.stream_of_day(day, &format!("{key}/of the week")).unit();
         let own = share(today);
         meant.filter(|&day| day != today && share(day) < own).count() < usize::from(days)
@@ -277,7 +280,7 @@ impl Planner<'_> {
     /// In seconds, with random numbers from `key`.
     fn length_s(&self, habit: &Habit, key: &str, day: i32) -> f64 {
         let irregular = self.parameters.irregular;
-        let lasts_s = match &habit.lasts {
+        let lasts_s = match &habit.when.lasts {
             Some(lasts) => {
                 let share = self.life.stream_of_day(day, &format!("{key}/lasts")).unit();
                 varied_length(lasts, share, irregular)
@@ -352,11 +355,13 @@ impl Planner<'_> {
             known => (start, known),
         };
         let start = start.saturating_add(if matches!(known, ItemStart::Known) { later } else { Span::ZERO });
-        if matches!(habit.when, HabitTime::At(_)) && self.is_before_rising(start, time.day) != (time.day > self.day) {
+        if matches!(habit.when.time, HabitTime::At(_))
+            && self.is_before_rising(start, time.day) != (time.day > self.day)
+        {
             return None;
         }
         let until_share = || self.life.stream_of_day(time.day, &format!("{key}/until")).unit();
-        let until = habit.until.map(|until| at(varied(&until, until_share(), parameters.irregular)));
+        let until = habit.when.until.map(|until| at(varied(&until, until_share(), parameters.irregular)));
         let item = Item {
             activity,
             place: habit.place.clone(),
@@ -393,7 +398,7 @@ impl Planner<'_> {
     /// The time of one repetition. A fall with a usual part of the day has it with the usual share.
     fn when_of(&self, habit: &Habit, key: &str, day: i32) -> HabitTime {
         let Some((part, from)) = habit.falling.and_then(|falling| Some((falling.mostly?, falling.from))) else {
-            return habit.when.clone();
+            return habit.when.time.clone();
         };
         let share = self.life.stream_of_day(day, &format!("{key}/mostly")).unit();
         match part {

@@ -98,9 +98,9 @@ pub fn predicted_differences(life: &ResidentRoutine, days: i32) -> Vec<Differenc
 
 fn phase(life: &ResidentRoutine, id: SentenceId) -> Option<Phase> {
     match id.kind {
-        SentenceKind::Habit => life.habit(id).map(|habit| habit.phase),
-        SentenceKind::Rule => life.rule(id).map(|rule| rule.phase),
-        SentenceKind::Change => life.change(id).map(|change| change.phase),
+        SentenceKind::Habit => life.habit(id).map(|habit| habit.when.phase),
+        SentenceKind::Rule => life.rule(id).map(|rule| rule.when.phase),
+        SentenceKind::Change => life.change(id).map(|change| change.when.phase),
     }
 }
 
@@ -132,13 +132,14 @@ fn difference(
         return Some((expected, format!("{} times: {why}", begun.saturating_sub(no_way))));
     }
     let habit = life.habit(id)?;
-    if matches!(habit.when, HabitTime::At(_) | HabitTime::Before(..)) && f64::from(late) > f64::from(begun) * LATE_SHARE
+    if matches!(habit.when.time, HabitTime::At(_) | HabitTime::Before(..))
+        && f64::from(late) > f64::from(begun) * LATE_SHARE
     {
         let minutes = LATE / MINUTE;
         return Some(("at its time".to_owned(), format!("begun more than {minutes} min late {late} of {begun} times")));
     }
     let SentenceOutcome { begun, done, planned_s, lasted_s, .. } = lengths;
-    if habit.lasts.is_some() && done > 0 && lasted_s / f64::from(done) < SHORT * planned_s / f64::from(begun) {
+    if habit.when.lasts.is_some() && done > 0 && lasted_s / f64::from(done) < SHORT * planned_s / f64::from(begun) {
         let minutes = |sum_s: f64, times: u32| sum_s / f64::from(times) / 60.0;
         let expected = format!("{:.0} min on average", minutes(planned_s, begun));
         return Some((expected, format!("{:.0} min on average", minutes(lasted_s, done))));

@@ -7,7 +7,7 @@
 //! file does.
 
 use crate::routine::{
-    Circumstance, DaySelection, Effect, Habit, HabitTime, PartOfDay, Phase, PhaseDay, Response, Routine, RoutineChange,
+    Circumstance, DaySelection, Effect, Habit, HabitTime, Phase, PhaseDay, Response, Routine, RoutineChange,
     RoutineRule, RuleTrigger,
 };
 use homebody_core::fuzzy::Fuzzy;
@@ -26,7 +26,7 @@ impl Keys {
     pub fn new(routine: &Routine, source: &str) -> Keys {
         let mut before = 0;
         let habits = routine.habits.iter().map(|habit| {
-            let said = match habit.when {
+            let said = match habit.when.time {
                 // A habit with "then" includes the habit before it.
                 HabitTime::Then => format!("{} of {before:016x}", habit_key(habit)),
                 _ => habit_key(habit),
@@ -72,15 +72,15 @@ fn habit_key(habit: &Habit) -> String {
         text += &format!(" {}", falling.words());
         text += &falling.mostly.map_or_else(String::new, |part| format!(" mostly {}", part.word()));
     }
-    text += &format!(" p {}", habit.chance.probability);
-    if let Some((probability, by)) = habit.chance.becomes {
+    text += &format!(" p {}", habit.when.chance.probability);
+    if let Some((probability, by)) = habit.when.chance.becomes {
         text += &format!(" to {probability} by {}", moment_key(by));
     }
-    if let Some(days) = habit.chance.days_a_week {
+    if let Some(days) = habit.when.chance.days_a_week {
         text += &format!(" on {days} a week");
     }
-    let DaySelection { weekdays, months, every, of_month, kind } = habit.days;
-    if habit.days != DaySelection::ALL {
+    let DaySelection { weekdays, months, every, of_month, kind } = habit.when.days;
+    if habit.when.days != DaySelection::ALL {
         text += &format!(" days {weekdays:07b} {months:012b} {every}");
     }
     if of_month != DaySelection::ALL.of_month {
@@ -89,7 +89,7 @@ fn habit_key(habit: &Habit) -> String {
     if let Some(kind) = kind {
         text += &format!(" on {} days", kind.word());
     }
-    text += &match &habit.when {
+    text += &match &habit.when.time {
         HabitTime::AnyTime => String::new(),
         HabitTime::At(time) => format!(" from {}", fuzzy_key(time)),
         HabitTime::Within(part) => format!(" in {}", part.word()),
@@ -98,13 +98,13 @@ fn habit_key(habit: &Habit) -> String {
         HabitTime::With(activity) => format!(" with {}", activity.label()),
         HabitTime::Then => " then".to_owned(),
     };
-    for (what, amount) in [(" for ", &habit.lasts), (" until ", &habit.until)] {
+    for (what, amount) in [(" for ", &habit.when.lasts), (" until ", &habit.when.until)] {
         text += &amount.as_ref().map(|amount| format!("{what}{}", fuzzy_key(amount))).unwrap_or_default();
     }
-    if habit.times != (1, 1) {
-        text += &format!(" times {} {}", habit.times.0, habit.times.1);
+    if habit.when.times != (1, 1) {
+        text += &format!(" times {} {}", habit.when.times.0, habit.when.times.1);
     }
-    text + phase_key(&habit.phase).as_str()
+    text + phase_key(&habit.when.phase).as_str()
 }
 
 fn rule_key(rule: &RoutineRule) -> String {
@@ -119,8 +119,8 @@ fn rule_key(rule: &RoutineRule) -> String {
         format!(" forgets {}{later}", lapse.probability)
     });
     let lapse = lapse.unwrap_or_default();
-    let (after, phase) = (fuzzy_key(&rule.lasts), phase_key(&rule.phase));
-    format!("{trigger} after {after}{only_if} p {} {response}{then}{lapse}{phase}", rule.probability)
+    let (after, phase) = (fuzzy_key(&rule.lasts), phase_key(&rule.when.phase));
+    format!("{trigger} after {after}{only_if} p {} {response}{then}{lapse}{phase}", rule.when.chance.probability)
 }
 
 fn trigger_key(trigger: &RuleTrigger) -> String {
@@ -153,7 +153,8 @@ fn response_key(response: &Response) -> String {
 }
 
 fn change_key(change: &RoutineChange) -> String {
-    let part = |part: &Option<PartOfDay>| part.map(|part| format!(" in {}", part.word())).unwrap_or_default();
+    let part = change.when.part().map(|part| format!(" in {}", part.word())).unwrap_or_default();
+    let chance = change.when.chance.probability;
     let effect = match &change.effect {
         Effect::Shows { condition, severity } => format!("shows {condition} {severity}"),
         Effect::Pace(by) => format!("pace {}", fuzzy_key(by)),
@@ -161,22 +162,20 @@ fn change_key(change: &RoutineChange) -> String {
         Effect::Later { activity, by } => format!("later {} {}", activity.label(), fuzzy_key(by)),
         Effect::Longer { activity, factor } => format!("longer {} {}", activity.label(), fuzzy_key(factor)),
         Effect::LongerBy { activity, by } => format!("longer by {} {}", activity.label(), fuzzy_key(by)),
-        Effect::Oftener { activity, part: of, factor } => {
-            format!("oftener {}{} {}", activity.label(), part(of), fuzzy_key(factor))
-        }
-        Effect::Skips { activity, chance } => format!("skips {} {chance}", activity.label()),
+        Effect::Oftener { activity, factor } => format!("oftener {}{part} {}", activity.label(), fuzzy_key(factor)),
+        Effect::Skips { activity } => format!("skips {} {chance}", activity.label()),
         Effect::Irregular(by) => format!("irregular {}", fuzzy_key(by)),
-        Effect::Active { part: of, factor } => format!("active{} {}", part(of), fuzzy_key(factor)),
+        Effect::Active { factor } => format!("active{part} {}", fuzzy_key(factor)),
         Effect::DaysDiffer(by) => format!("days differ {}", fuzzy_key(by)),
-        Effect::DaysAre { kind, very, .. } => format!("{} days {very}", kind.word()),
+        Effect::DaysAre { kind, very } => format!("{} days {very}", kind.word()),
         Effect::SleepsIn => "sleeps in".to_owned(),
         Effect::Restless(by) => format!("restless {}", fuzzy_key(by)),
-        Effect::Forgets { thing, chance } => format!("forgets {} {chance}", thing.to_lowercase()),
+        Effect::Forgets { thing } => format!("forgets {} {chance}", thing.to_lowercase()),
         Effect::Shy { of, gain } => format!("shy {of:?} {gain}").to_lowercase(),
         Effect::Pulse(by) => format!("pulse {}", fuzzy_key(by)),
         Effect::Respiration(by) => format!("respiration {}", fuzzy_key(by)),
     };
-    effect + phase_key(&change.phase).as_str()
+    effect + phase_key(&change.when.phase).as_str()
 }
 
 fn phase_key(phase: &Phase) -> String {

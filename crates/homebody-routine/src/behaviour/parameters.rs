@@ -1,6 +1,6 @@
 //! The parameters of one day: the effect of all changes.
 
-use crate::routine::{Activity, Effect, PartOfDay, Shy};
+use crate::routine::{Activity, Effect, PartOfDay, RoutineChange, Shy};
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::time::Span;
 use homebody_walk::Gains;
@@ -57,6 +57,8 @@ pub struct DayParameters {
 pub(super) struct ChangeCourse {
     /// At most [`MOST_WEEKS`].
     pub(super) weeks: f64,
+    /// Chance of the change today.
+    pub(super) chance: f64,
     pub(super) pace_mps: f64,
     /// Lower limit as a share of `pace_mps`.
     pub(super) least_pace: f64,
@@ -87,12 +89,13 @@ impl DayParameters {
         }
     }
 
-    /// Adds an effect at a strength; `share` is its position within the range for this person.
-    pub(super) fn change(&mut self, effect: &Effect, strength: f64, share: f64, course: ChangeCourse) {
+    /// Adds a change at a strength; `share` is its position within the range for this person.
+    pub(super) fn change(&mut self, change: &RoutineChange, strength: f64, share: f64, course: ChangeCourse) {
+        let (part, chance) = (change.when.part(), course.chance);
         // A factor of 1.3 at double strength is 1.6; one of 0.4 does not fall below 0.
         let factor = |fuzzy: &Fuzzy| (1.0 + (fuzzy.at(share) - 1.0) * strength).max(0.0);
         let amount = |fuzzy: &Fuzzy| fuzzy.at(share) * strength;
-        match effect {
+        match &change.effect {
             Effect::Shows { .. } | Effect::DaysAre { .. } => {}
             Effect::DaysDiffer(by) => self.differ *= factor(by),
             Effect::SleepsIn => self.sleeps_in = strength.min(1.0),
@@ -106,17 +109,15 @@ impl DayParameters {
                 *self.longer.entry(activity.clone()).or_insert(1.0) *= factor(by)
             }
             Effect::LongerBy { activity, by } => *self.longer_s.entry(activity.clone()).or_default() += amount(by),
-            Effect::Oftener { activity, part, factor: by } => self.oftener.push((activity.clone(), *part, factor(by))),
-            Effect::Skips { activity, chance } => {
+            Effect::Oftener { activity, factor: by } => self.oftener.push((activity.clone(), part, factor(by))),
+            Effect::Skips { activity } => {
                 let skips = self.skips.entry(activity.clone()).or_default();
                 *skips = 1.0 - (1.0 - *skips) * (1.0 - (chance * strength).min(1.0));
             }
             Effect::Irregular(by) => self.irregular *= factor(by),
-            Effect::Active { part, factor: by } => self.active.push((*part, factor(by))),
+            Effect::Active { factor: by } => self.active.push((part, factor(by))),
             Effect::Restless(by) => self.restless = (self.restless * factor(by)).min(self.most_movement),
-            Effect::Forgets { thing, chance } => {
-                self.forgets.push((thing.to_lowercase(), (chance * strength).min(1.0)))
-            }
+            Effect::Forgets { thing } => self.forgets.push((thing.to_lowercase(), (chance * strength).min(1.0))),
             Effect::Shy { of, gain } => self.shy.push((*of, gain * strength)),
             Effect::Pulse(by) => self.pulse += amount(by),
             Effect::Respiration(by) => self.respiration += amount(by),

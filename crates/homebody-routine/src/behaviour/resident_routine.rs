@@ -175,7 +175,7 @@ impl ResidentRoutine {
         for change in changes {
             let Effect::Shows { condition, severity } = &change.effect else { continue };
             let Some(routine) = conditions.get(condition).filter(|_| depth < DEPTH) else { continue };
-            let shown: Vec<(Phase, f64)> = shown.iter().copied().chain([(change.phase, *severity)]).collect();
+            let shown: Vec<(Phase, f64)> = shown.iter().copied().chain([(change.when.phase, *severity)]).collect();
             self.add_conditions(&routine.changes, &shown, conditions, depth + 1);
             let sources = Arc::make_mut(&mut self.sources);
             if let Some(known) = sources.iter_mut().find(|source| source.condition.as_ref() == Some(condition)) {
@@ -204,14 +204,14 @@ impl ResidentRoutine {
         let own = &self.sources[ResidentRoutine::OWN].routine.habits;
         own.iter().any(|said| {
             said.stands_for(usual)
-                && self.phase(&said.phase, day) > 0.0
-                && (!said.is_of_every_day() || self.is_on(&said.days, day))
+                && self.phase(&said.when.phase, day) > 0.0
+                && (!said.is_of_every_day() || self.is_on(&said.when.days, day))
         })
     }
 
     /// Whether a habit applies to a day, drawn or not.
     pub fn is_meant(&self, habit: &Habit, day: i32) -> bool {
-        self.is_on(&habit.days, day) && self.phase(&habit.phase, day) > 0.0
+        self.is_on(&habit.when.days, day) && self.phase(&habit.when.phase, day) > 0.0
     }
 
     /// All sentences, each with its source and words.
@@ -360,7 +360,8 @@ impl ResidentRoutine {
 
     /// The probability on a day that the habit applies to.
     pub fn chance(&self, habit: &Habit, strength: f64, day: i32) -> f64 {
-        (self.chance_by(&habit.chance, &habit.phase, day) * strength * self.phase(&habit.phase, day)).min(1.0)
+        (self.chance_by(&habit.when.chance, &habit.when.phase, day) * strength * self.phase(&habit.when.phase, day))
+            .min(1.0)
     }
 
     /// The probability of a changing chance by a day.
@@ -405,11 +406,12 @@ impl ResidentRoutine {
     /// busy ones.
     fn said_kind(&self, day: i32) -> Option<(DayKind, f64)> {
         self.kinds_said(day).find_map(|(change, strength)| {
-            let Effect::DaysAre { kind, very, chance } = &change.effect else { return None };
-            let is_one = self.is_on(&change.days, day)
+            let Effect::DaysAre { kind, very } = &change.effect else { return None };
+            let chance = &change.when.chance;
+            let is_one = self.is_on(&change.when.days, day)
                 && match chance.days_a_week {
-                    Some(days) => strength > 0.0 && self.is_among(*kind, days, &change.days, day),
-                    None => self.share_beyond(*kind, day) < self.chance_by(chance, &change.phase, day) * strength,
+                    Some(days) => strength > 0.0 && self.is_among(*kind, days, &change.when.days, day),
+                    None => self.share_beyond(*kind, day) < self.chance_by(chance, &change.when.phase, day) * strength,
                 };
             let times = self.numbers.of(if *kind == DayKind::Quiet { &QUIET_DAY } else { &BUSY_DAY });
             is_one.then_some((*kind, if *very { times * times } else { times }))
@@ -474,16 +476,17 @@ impl ResidentRoutine {
             let changes = &source.routine.changes;
             for (index, (change, key)) in changes.iter().zip(&source.keys.changes).enumerate() {
                 let full = strength * self.left_of(changes, index, day);
-                if full > 0.0 && self.is_on(&change.days, day) {
+                if full > 0.0 && self.is_on(&change.when.days, day) {
                     let share = self.stream(key).unit();
                     // Counted from the start of the change, or else of the condition.
                     let phases = source.shown.iter().flatten().map(|(phase, _)| phase);
                     let shown = phases.filter_map(|phase| phase.from).map(|from| self.day_of(from));
                     let shown = shown.filter(|&from| from <= day).max();
-                    let from = change.phase.from.map(|from| self.day_of(from)).or(shown).unwrap_or(0);
+                    let from = change.when.phase.from.map(|from| self.day_of(from)).or(shown).unwrap_or(0);
                     let weeks = (f64::from(day - from) / 7.0).clamp(0.0, most_weeks);
-                    let course = ChangeCourse { weeks, pace_mps: self.pace_mps, least_pace };
-                    parameters.change(&change.effect, full, share, course);
+                    let chance = self.chance_by(&change.when.chance, &change.when.phase, day);
+                    let course = ChangeCourse { weeks, chance, pace_mps: self.pace_mps, least_pace };
+                    parameters.change(change, full, share, course);
                 }
             }
         }
@@ -506,13 +509,13 @@ impl ResidentRoutine {
     /// The remaining strength of a change: a later sentence of the same text on the same subject replaces it as it grows.
     fn left_of(&self, changes: &[RoutineChange], index: usize, day: i32) -> f64 {
         let change = &changes[index];
-        let begins = |change: &RoutineChange| change.phase.from.map_or(i32::MIN, |from| self.day_of(from));
+        let begins = |change: &RoutineChange| change.when.phase.from.map_or(i32::MIN, |from| self.day_of(from));
         let later = changes.iter().enumerate().filter(|(other, of)| {
             (begins(of), *other) > (begins(change), index)
-                && of.effect.is_of_the_same(&change.effect)
-                && self.is_on(&of.days, day)
+                && of.is_of_the_same(change)
+                && self.is_on(&of.when.days, day)
         });
-        later.fold(self.phase(&change.phase, day), |left, (_, of)| left * (1.0 - self.phase(&of.phase, day)))
+        later.fold(self.phase(&change.when.phase, day), |left, (_, of)| left * (1.0 - self.phase(&of.when.phase, day)))
     }
 }
 

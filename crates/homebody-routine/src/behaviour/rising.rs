@@ -93,13 +93,13 @@ pub(super) fn late_by(life: &ResidentRoutine, day: i32, up: RunTime, now: RunTim
 /// The stated time of rising or going to bed, if a habit applies on this day.
 fn clock_of(life: &ResidentRoutine, day: i32, parameters: &DayParameters, activity: &Activity) -> Option<f64> {
     life.habits(day).find_map(|InForce { said: habit, strength, key, source, .. }| {
-        if habit.activity != *activity || habit.visitor.is_some() || !life.is_on(&habit.days, day) {
+        if habit.activity != *activity || habit.visitor.is_some() || !life.is_on(&habit.when.days, day) {
             return None;
         }
         if source == ResidentRoutine::UNSAID && life.says(habit, day) {
             return None;
         }
-        let HabitTime::At(time) = &habit.when else { return None };
+        let HabitTime::At(time) = &habit.when.time else { return None };
         let key = of_time(key, 0);
         let holds = life.stream_of_day(day, &format!("{key}/whether")).unit() < life.chance(habit, strength, day);
         let share = life.stream_of_day(day, &format!("{key}/start")).unit();

@@ -188,10 +188,10 @@ impl RoutineDriver {
         self.life.habits(day).any(|InForce { said: habit, .. }| {
             let is_it = habit.activity == *activity && habit.visitor.is_none() && self.life.is_meant(habit, day);
             is_it
-                && match &habit.when {
+                && match &habit.when.time {
                     HabitTime::Within(PartOfDay::Night) => false,
                     HabitTime::AnyTime => true,
-                    _ if habit.chance.probability >= 0.5 => true,
+                    _ if habit.when.chance.probability >= 0.5 => true,
                     HabitTime::Within(part) => (part.hours().0..part.hours().1).contains(&hour_s),
                     _ => false,
                 }

@@ -62,7 +62,7 @@ impl Watches {
         let mut before = std::mem::take(&mut self.rules);
         for in_force in life.rules(day) {
             let InForce { said: rule, strength, key, .. } = in_force;
-            if strength * life.phase(&rule.phase, day) > 0.0 {
+            if strength * life.phase(&rule.when.phase, day) > 0.0 {
                 let kept = before.iter().position(|watch| watch.key == key).map(|index| before.swap_remove(index));
                 let new = || RuleWatch {
                     rule: rule.clone(),
@@ -270,7 +270,8 @@ impl Watches {
         let mut stream = life.stream(&format!("{}/at/{at}", watch.key));
         let lasts = Span::from_seconds(watch.rule.lasts.draw(&mut stream));
         watch.holds = true;
-        watch.due = if stream.chance(watch.rule.probability) { at.saturating_add(lasts) } else { RunTime::NEVER };
+        watch.due =
+            if stream.chance(watch.rule.when.chance.probability) { at.saturating_add(lasts) } else { RunTime::NEVER };
     }
 
     fn end(&mut self, of: &dyn Fn(&RuleTrigger) -> bool) {

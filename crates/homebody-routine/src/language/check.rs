@@ -60,21 +60,21 @@ fn share_days(draft: &RoutineDraft, a: &Habit, b: &Habit) -> bool {
         Some(until) => days_between(from.unwrap_or(PhaseDay::Day(0)), until, draft.first_date).is_some_and(|d| d <= 0),
         None => false,
     };
-    let is_other_kind = a.days.kind.zip(b.days.kind).is_some_and(|(a, b)| a != b);
+    let is_other_kind = a.when.days.kind.zip(b.when.days.kind).is_some_and(|(a, b)| a != b);
     !is_other_kind
-        && a.days.weekdays & b.days.weekdays != 0
-        && a.days.months & b.days.months != 0
-        && !before(a.phase.until, b.phase.from)
-        && !before(b.phase.until, a.phase.from)
+        && a.when.days.weekdays & b.when.days.weekdays != 0
+        && a.when.days.months & b.when.days.months != 0
+        && !before(a.when.phase.until, b.when.phase.from)
+        && !before(b.when.phase.until, a.when.phase.from)
 }
 
 fn twice_a_day(draft: &RoutineDraft, faults: &mut Faults) {
     let meals = Meal::ALL.map(Activity::Eat);
     for activity in [Activity::GetUp, Activity::GoToBed].into_iter().chain(meals) {
-        let timed = |habit: &Habit| matches!(habit.when, HabitTime::At(_) | HabitTime::Within(_));
+        let timed = |habit: &Habit| matches!(habit.when.time, HabitTime::At(_) | HabitTime::Within(_));
         let list: Vec<_> = own_habits(draft).filter(|(_, habit)| habit.activity == activity && timed(habit)).collect();
         for (later, (index, habit)) in list.iter().enumerate() {
-            let both = |other: &Habit| habit.chance.probability + other.chance.probability > 1.0 + 1e-9;
+            let both = |other: &Habit| habit.when.chance.probability + other.when.chance.probability > 1.0 + 1e-9;
             let other = list[..later].iter().find(|(_, other)| share_days(draft, habit, other) && both(other));
             if let Some((_, other)) = other {
                 let (activity, other_line) = (phrase(&activity).to_string(), other.said.line);
@@ -120,19 +120,21 @@ fn done_and_not_done(draft: &RoutineDraft, faults: &mut Faults) {
         let never = draft.routine.changes.iter().find(|change| {
             let none = |factor: &Fuzzy| factor.high <= 0.0;
             let is_never = match &change.effect {
-                Effect::Oftener { activity, part: None, factor } => *activity == habit.activity && none(factor),
-                Effect::Skips { activity, chance } => *activity == habit.activity && *chance >= 1.0,
+                Effect::Oftener { activity, factor } => {
+                    *activity == habit.activity && change.when.part().is_none() && none(factor)
+                }
+                Effect::Skips { activity } => *activity == habit.activity && change.when.chance.probability >= 1.0,
                 _ => false,
             };
-            let from = change.phase.from.unwrap_or(PhaseDay::Day(0));
-            let begins = habit.phase.from.unwrap_or(PhaseDay::Day(0));
+            let from = change.when.phase.from.unwrap_or(PhaseDay::Day(0));
+            let begins = habit.when.phase.from.unwrap_or(PhaseDay::Day(0));
             let is_before = days_between(from, begins, draft.first_date).is_some_and(|days| days >= 0);
-            let all_days = change.days.weekdays & habit.days.weekdays == habit.days.weekdays
-                && change.days.months & habit.days.months == habit.days.months
-                && change.days.of_month == DaySelection::ALL.of_month
-                && (change.days.kind.is_none() || change.days.kind == habit.days.kind)
-                && change.days.every == 1;
-            is_never && is_before && all_days && change.phase.until.is_none() && change.phase.over_days == 0.0
+            let all_days = change.when.days.weekdays & habit.when.days.weekdays == habit.when.days.weekdays
+                && change.when.days.months & habit.when.days.months == habit.when.days.months
+                && change.when.days.of_month == DaySelection::ALL.of_month
+                && (change.when.days.kind.is_none() || change.when.days.kind == habit.when.days.kind)
+                && change.when.days.every == 1;
+            is_never && is_before && all_days && change.when.phase.until.is_none() && change.when.phase.over_days == 0.0
         });
         if let Some(never) = never {
             let (other_line, other) = (never.said.line, never.said.text.trim().to_owned());
@@ -143,33 +145,34 @@ fn done_and_not_done(draft: &RoutineDraft, faults: &mut Faults) {
 
 /// From when to when a habit goes on for certain, in seconds of the day; nothing where that is open.
 fn surely_from_to(habit: &Habit) -> Option<(f64, f64)> {
-    let HabitTime::At(at) = habit.when else { return None };
-    let is_certain = habit.chance.probability >= CERTAIN && habit.chance.becomes.is_none() && habit.times == (1, 1);
-    let end = habit.until.map(|until| until.low).or(habit.lasts.map(|lasts| at.low + lasts.low))?;
+    let HabitTime::At(at) = habit.when.time else { return None };
+    let is_certain =
+        habit.when.chance.probability >= CERTAIN && habit.when.chance.becomes.is_none() && habit.when.times == (1, 1);
+    let end = habit.when.until.map(|until| until.low).or(habit.when.lasts.map(|lasts| at.low + lasts.low))?;
     (is_certain && end > at.high).then_some((at.high, end))
 }
 
 fn home_while_out(draft: &RoutineDraft, faults: &mut Faults) {
-    let is_of_days = |habit: &Habit| habit.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
+    let is_of_days = |habit: &Habit| habit.when.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
     let outings: Vec<(usize, &Habit)> =
         own_habits(draft).filter(|(_, habit)| habit.activity == Activity::Leave && !is_of_days(habit)).collect();
     for (index, habit) in own_habits(draft) {
-        let HabitTime::At(at) = habit.when else { continue };
+        let HabitTime::At(at) = habit.when.time else { continue };
         let is_meal = matches!(habit.activity, Activity::Eat(_) | Activity::Nap | Activity::Prepare(_));
         for (_, outing) in outings.iter().filter(|(_, outing)| share_days(draft, habit, outing)) {
             let is_within = surely_from_to(outing).is_some_and(|(from, to)| from < at.low && at.high < to);
-            let on_its_days = habit.days.weekdays & outing.days.weekdays == habit.days.weekdays
-                && (outing.days.kind.is_none() || outing.days.kind == habit.days.kind);
+            let on_its_days = habit.when.days.weekdays & outing.when.days.weekdays == habit.when.days.weekdays
+                && (outing.when.days.kind.is_none() || outing.when.days.kind == habit.when.days.kind);
             let comes_home = habit.activity == Activity::ComeHome
-                && (outing.lasts.is_some() || outing.until.is_some())
+                && (outing.when.lasts.is_some() || outing.when.until.is_some())
                 && surely_from_to(outing).is_some();
             let (other_line, other) = (outing.said.line, outing.said.text.trim().to_owned());
-            let message = match (comes_home, is_within && is_meal && on_its_days && habit.chance.probability >= CERTAIN)
-            {
-                (true, _) => CheckMessage::HomeTwice { other_line, other },
-                (_, true) => CheckMessage::OutThen { other_line, other },
-                _ => continue,
-            };
+            let message =
+                match (comes_home, is_within && is_meal && on_its_days && habit.when.chance.probability >= CERTAIN) {
+                    (true, _) => CheckMessage::HomeTwice { other_line, other },
+                    (_, true) => CheckMessage::OutThen { other_line, other },
+                    _ => continue,
+                };
             faults.add(draft.habit_spans[index], message);
             break;
         }
@@ -180,20 +183,20 @@ fn too_much_for_a_day(draft: &RoutineDraft, faults: &mut Faults) {
     /// Longest time awake of a person who still goes to bed (our choice).
     const MOST_AWAKE_S: f64 = 20.0 * 3600.0;
     let is_daily = |habit: &Habit| {
-        habit.days == DaySelection::ALL
-            && habit.phase == Phase::default()
-            && habit.chance.probability >= CERTAIN
-            && habit.chance.becomes.is_none()
-            && habit.when != HabitTime::Within(PartOfDay::Night)
+        habit.when.days == DaySelection::ALL
+            && habit.when.phase == Phase::default()
+            && habit.when.chance.probability >= CERTAIN
+            && habit.when.chance.becomes.is_none()
+            && habit.when.time != HabitTime::Within(PartOfDay::Night)
             && habit.activity != Activity::LieAwake
     };
     let length = |habit: &Habit| {
-        let asked = habit.lasts.map(|lasts| lasts.low * f64::from(habit.times.0));
+        let asked = habit.when.lasts.map(|lasts| lasts.low * f64::from(habit.when.times.0));
         asked.or_else(|| surely_from_to(habit).map(|(from, to)| to - from)).unwrap_or(0.0)
     };
     let time_of = |wanted: Activity| {
         own_habits(draft).map(|(_, habit)| habit).filter(|habit| habit.activity == wanted && is_daily(habit)).find_map(
-            |habit| match habit.when {
+            |habit| match habit.when.time {
                 HabitTime::At(at) => Some(at),
                 _ => None,
             },
@@ -217,7 +220,7 @@ fn too_much_for_a_day(draft: &RoutineDraft, faults: &mut Faults) {
 }
 
 fn bed_before_getting_up(draft: &RoutineDraft, faults: &mut Faults) {
-    let at = |habit: &Habit| match habit.when {
+    let at = |habit: &Habit| match habit.when.time {
         HabitTime::At(at) => Some((at.from + at.to) / 2.0),
         _ => None,
     };
@@ -242,7 +245,7 @@ fn home_without_leaving(draft: &RoutineDraft, faults: &mut Faults) {
 }
 
 fn anchor(habit: &Habit) -> Option<&Activity> {
-    match &habit.when {
+    match &habit.when.time {
         HabitTime::After(activity, _) | HabitTime::Before(activity, _) | HabitTime::With(activity) => Some(activity),
         _ => None,
     }
@@ -348,7 +351,7 @@ fn is_answered(draft: &RoutineDraft, activity: &Activity) -> bool {
 }
 
 fn longest(habit: &Habit) -> Option<f64> {
-    match (habit.lasts, habit.until, &habit.when) {
+    match (habit.when.lasts, habit.when.until, &habit.when.time) {
         (Some(Fuzzy { high, .. }), _, _) => Some(high),
         (None, Some(until), HabitTime::At(at)) => Some(until.high - at.low),
         _ => None,

@@ -46,9 +46,9 @@ fn a_sentence_under_a_heading_says_what_differs_itself() {
     let text = "On Monday, in the evening, often\n  she reads\n  she naps on Tuesday\n  she rests rarely\n  she drinks at 10:00";
     let (routine, problems) = said(text, &KnownNames::default());
     assert_eq!(problems, Vec::<String>::new());
-    let days: Vec<u8> = routine.habits.iter().map(|habit| habit.days.weekdays).collect();
+    let days: Vec<u8> = routine.habits.iter().map(|habit| habit.when.days.weekdays).collect();
     assert_eq!(days, [1, 2, 1, 1]);
-    let chances: Vec<f64> = routine.habits.iter().map(|habit| habit.chance.probability).collect();
+    let chances: Vec<f64> = routine.habits.iter().map(|habit| habit.when.chance.probability).collect();
     assert_eq!(chances, [0.7, 0.7, 0.1, 0.7]);
-    assert!(matches!(routine.habits[3].when, crate::routine::HabitTime::At(at) if at.from == 36_000.0));
+    assert!(matches!(routine.habits[3].when.time, crate::routine::HabitTime::At(at) if at.from == 36_000.0));
 }

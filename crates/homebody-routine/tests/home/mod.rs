@@ -65,19 +65,19 @@ fn habit(habit: &Habit) -> String {
     if let Some(place) = &habit.place {
         text += &format!(" @{place}");
     }
-    text += &chance(&habit.chance);
-    text += &days(&habit.days);
-    text += &when(&habit.when);
-    if let Some(lasts) = &habit.lasts {
+    text += &chance(&habit.when.chance);
+    text += &days(&habit.when.days);
+    text += &when(&habit.when.time);
+    if let Some(lasts) = &habit.when.lasts {
         text += &format!(" lasts {}", fuzzy(lasts));
     }
-    if let Some(until) = &habit.until {
+    if let Some(until) = &habit.when.until {
         text += &format!(" until {}", fuzzy(until));
     }
-    if habit.times != (1, 1) {
-        text += &format!(" times {:?}", habit.times);
+    if habit.when.times != (1, 1) {
+        text += &format!(" times {:?}", habit.when.times);
     }
-    text + phase(&habit.phase).as_str()
+    text + phase(&habit.when.phase).as_str()
 }
 
 fn chance(chance: &HabitChance) -> String {
@@ -131,7 +131,7 @@ fn rule(rule: &RoutineRule) -> String {
             format!("{activity:?}{place}{lasts}")
         }
     };
-    let (lasts, phase) = (fuzzy(&rule.lasts), phase(&rule.phase));
+    let (lasts, phase) = (fuzzy(&rule.lasts), phase(&rule.when.phase));
     let mut more = String::new();
     for one in &rule.only_if {
         more += &format!(" {} {:?}", if one.holds { "if" } else { "unless" }, one.state);
@@ -146,10 +146,12 @@ fn rule(rule: &RoutineRule) -> String {
             lapse.later.map(|by| format!(" {}", fuzzy(&by))).unwrap_or_default()
         );
     }
-    format!("{:?} for {lasts}: p{} {response}{phase}{more}", rule.whenever, rule.probability)
+    format!("{:?} for {lasts}: p{} {response}{phase}{more}", rule.whenever, rule.when.chance.probability)
 }
 
 fn change(change: &RoutineChange) -> String {
+    let part = change.when.part().map(|part| format!(" {part:?}")).unwrap_or_default();
+    let probability = change.when.chance.probability;
     let effect = match &change.effect {
         Effect::Shows { condition, severity } => format!("Shows {condition} {severity}"),
         Effect::Pace(by) => format!("Pace {}", fuzzy(by)),
@@ -157,25 +159,20 @@ fn change(change: &RoutineChange) -> String {
         Effect::Later { activity, by } => format!("Later {activity:?} {}", fuzzy(by)),
         Effect::Longer { activity, factor } => format!("Longer {activity:?} {}", fuzzy(factor)),
         Effect::LongerBy { activity, by } => format!("LongerBy {activity:?} {}", fuzzy(by)),
-        Effect::Oftener { activity, part, factor } => {
-            let part = part.map(|part| format!(" {part:?}")).unwrap_or_default();
-            format!("Oftener {activity:?}{part} {}", fuzzy(factor))
-        }
-        Effect::Skips { activity, chance } => format!("Skips {activity:?} {chance}"),
+        Effect::Oftener { activity, factor } => format!("Oftener {activity:?}{part} {}", fuzzy(factor)),
+        Effect::Skips { activity } => format!("Skips {activity:?} {probability}"),
         Effect::DaysDiffer(by) => format!("DaysDiffer {}", fuzzy(by)),
-        Effect::DaysAre { kind, very, chance: of } => format!("DaysAre {kind:?} {very}{}", chance(of)),
+        Effect::DaysAre { kind, very } => format!("DaysAre {kind:?} {very}{}", chance(&change.when.chance)),
         Effect::SleepsIn => "SleepsIn".to_owned(),
         Effect::Irregular(by) => format!("Irregular {}", fuzzy(by)),
-        Effect::Active { part, factor } => {
-            format!("Active{} {}", part.map(|part| format!(" {part:?}")).unwrap_or_default(), fuzzy(factor))
-        }
+        Effect::Active { factor } => format!("Active{part} {}", fuzzy(factor)),
         Effect::Restless(by) => format!("Restless {}", fuzzy(by)),
-        Effect::Forgets { thing, chance } => format!("Forgets {thing} {chance}"),
+        Effect::Forgets { thing } => format!("Forgets {thing} {probability}"),
         Effect::Shy { of, gain } => format!("Shy {of:?} {gain}"),
         Effect::Pulse(by) => format!("Pulse {}", fuzzy(by)),
         Effect::Respiration(by) => format!("Respiration {}", fuzzy(by)),
     };
-    effect + days(&change.days).as_str() + phase(&change.phase).as_str()
+    effect + days(&change.when.days).as_str() + phase(&change.when.phase).as_str()
 }
 
 fn phase(phase: &Phase) -> String {

@@ -112,7 +112,7 @@ mod tests {
     #[test]
     fn keeps_the_sentences_below_a_heading() {
         let none = OwnSentences { conditions: Some(Vec::new()), ..OwnSentences::default() };
-        let days = |text: &str| -> Vec<u8> { read(text).habits.iter().map(|habit| habit.days.weekdays).collect() };
+        let days = |text: &str| -> Vec<u8> { read(text).habits.iter().map(|habit| habit.when.days.weekdays).collect() };
         for text in [
             "On Monday\n  she naps\nShe shows depression. She reads.",
             "She naps on Monday. From week 6:\n  she shows depression\n  # and more\n  she shows frailty\nShe reads.",

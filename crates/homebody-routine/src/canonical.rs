@@ -1,0 +1,573 @@
+//! The one sentence that says each statement of a routine in full: the language reads it back as the same statement.
+
+use crate::language::LAST_WEEK;
+use crate::language::activities::phrase;
+use crate::language::amounts::{ABOUT_SHARE, DAY_S, PLAIN_SHARE};
+use crate::language::times::{ABOUT_TIME_S, PLAIN_TIME_S};
+use crate::routine::{
+    Activity, Circumstance, DaySelection, Effect, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
+    PartOfDay, Phase, PhaseDay, ResidentKind, Response, Routine, RoutineChange, RoutinePerson, RoutineRule,
+    RuleTrigger, Shy, When,
+};
+use homebody_core::fuzzy::Fuzzy;
+
+/// The sentences of a routine in the order of its text, each with the line of the statement.
+pub fn sentences(routine: &Routine) -> Vec<(u32, String)> {
+    let mut all: Vec<((u32, u32), String)> = Vec::new();
+    let mut add = |said: &crate::routine::Quote, text: String| all.push(((said.line, said.column), text));
+    if let Some(person) = &routine.person {
+        person_sentences(person).into_iter().for_each(|text| add(&person.said, text));
+    }
+    routine.habits.iter().for_each(|habit| add(&habit.said, habit_sentence(habit)));
+    routine.rules.iter().for_each(|rule| add(&rule.said, rule_sentence(rule)));
+    routine.changes.iter().for_each(|change| add(&change.said, change_sentence(change)));
+    routine.remarks.iter().for_each(|remark| add(remark, format!("Note: {}", remark.text.trim())));
+    all.sort_by_key(|(place, _)| *place);
+    all.into_iter().map(|((line, _), text)| (line, text)).collect()
+}
+
+pub fn person_sentences(person: &RoutinePerson) -> Vec<String> {
+    let name = &person.name;
+    let kind = match person.kind {
+        ResidentKind::Person => None,
+        ResidentKind::Cat => Some(format!("{name} is a cat.")),
+        ResidentKind::Dog => Some(format!("{name} is a dog.")),
+    };
+    let age = person.age_years.map(|age| format!("{name} is {} years old.", number(age)));
+    let pace = person.pace_mps.map(|pace| format!("{name} walks at {}.", amount(&pace, 1.0, "m/s", 0.0, 0.1)));
+    [kind, age, pace].into_iter().flatten().collect()
+}
+
+pub fn habit_sentence(habit: &Habit) -> String {
+    let who = habit.visitor.as_ref().map_or_else(|| "she".to_owned(), |visitor| visitor_words(visitor));
+    let does = match (&habit.falling, &habit.visitor) {
+        (Some(falling), _) => fall_words(falling, habit.when.lasts.is_some()),
+        (None, Some(_)) if habit.activity == Activity::Visit => "visits".to_owned(),
+        _ => phrase(&habit.activity),
+    };
+    let place = habit.place.as_ref().map(|place| place_words(&habit.activity, place));
+    let When { time, lasts, until, times, .. } = &habit.when;
+    let lies = habit.falling.is_some_and(|falling| falling.ends == FallEnds::Rises);
+    let lasting = lasts.as_ref().map(|lasts| match lies {
+        true => format!("and lies there for {}", duration(lasts)),
+        false => format!("for {}", duration(lasts)),
+    });
+    let mostly = habit.falling.and_then(|falling| falling.mostly).map(|part| format!("mostly {}", part_words(part)));
+    let said = [
+        Some(who),
+        Some(does),
+        place,
+        times_words(*times, time),
+        mostly,
+        time_words(time).filter(|_| *times == (1, 1) || !is_span(time)),
+        lasting,
+        until.as_ref().map(|until| format!("until {}", clock(until, "until"))),
+    ];
+    let then = matches!(time, HabitTime::Then).then(|| "then".to_owned());
+    sentence(front(&habit.when).into_iter().chain(then), &join(said, " "))
+}
+
+pub fn change_sentence(change: &RoutineChange) -> String {
+    sentence(front(&change.when), &effect_words(change))
+}
+
+pub fn rule_sentence(rule: &RoutineRule) -> String {
+    let lasts = (rule.lasts.high > 0.0).then(|| format!("for {}", duration(&rule.lasts)));
+    let trigger = join([Some("whenever".to_owned()), Some(event(&rule.whenever, lasts.is_some())), lasts], " ");
+    let only_if: String = rule.only_if.iter().map(circumstance).collect();
+    let mut done = rule.answers().map(answer);
+    let first = done.next().unwrap_or_default();
+    let then: String = done.map(|step| format!(", then {step}")).collect();
+    let lapse = rule.lapse.map(|lapse| {
+        let later = lapse.later.map(|later| format!(" and does it {} later", duration(&later))).unwrap_or_default();
+        format!(", but forgets it {}{later}", share_words(lapse.probability, "occasions"))
+    });
+    let chance = match rule.when.chance.probability {
+        1.0 => String::new(),
+        probability => format!("{} ", share_words(probability, "occasions")),
+    };
+    let phase = phase_words(&rule.when.phase);
+    sentence(phase, &format!("{trigger}{only_if}, she {chance}{first}{then}{}", lapse.unwrap_or_default()))
+}
+
+/// Phase, days and chance, each with a comma of its own.
+fn front(when: &When) -> Vec<String> {
+    let mut words = phase_words(&when.phase);
+    words.extend(days_words(&when.days));
+    words.extend(chance_words(&when.chance));
+    words
+}
+
+pub fn phase_words(phase: &Phase) -> Vec<String> {
+    let days = |days: f64| format!("{} days", number(days));
+    let from = phase.from.map(|from| format!("from {}", moment(from)));
+    let over = (phase.over_days > 0.0).then(|| format!("over {}", days(phase.over_days)));
+    let until = phase.until.map(|until| format!("until {}", moment(until)));
+    let fading = (phase.fading_days > 0.0).then(|| format!("fading over {}", days(phase.fading_days)));
+    [from, over, until, fading].into_iter().flatten().collect()
+}
+
+fn moment(moment: PhaseDay) -> String {
+    match moment {
+        PhaseDay::Day(day) => format!("day {}", i64::from(day) + 1),
+        PhaseDay::Date(year, month, day) => format!("{year:04}-{month:02}-{day:02}"),
+    }
+}
+
+const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
+const MONTHS: [&str; 12] = [
+    "January",
+    "February",
+    "March",
+    "April",
+    "May",
+    "June",
+    "July",
+    "August",
+    "September",
+    "October",
+    "November",
+    "December",
+];
+const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
+
+pub fn days_words(days: &DaySelection) -> Vec<String> {
+    let names = |bits: u16, names: &[&str]| {
+        let set = names.iter().enumerate().filter(|(i, _)| bits & 1 << i != 0).map(|(_, name)| *name);
+        list(&set.collect::<Vec<_>>())
+    };
+    let weekdays = names(days.weekdays.into(), &WEEKDAYS);
+    let is_one = days.weekdays.count_ones() == 1;
+    let in_month = match days.months {
+        0xfff => "the month".to_owned(),
+        months => names(months, &MONTHS),
+    };
+    let of_month = match days.of_month {
+        all if all == DaySelection::ALL.of_month => None,
+        LAST_WEEK if is_one => Some(format!("on the last {weekdays} of {in_month}")),
+        (first, last) if is_one && last == first + 6 && first % 7 == 1 && last <= 28 => {
+            Some(format!("on the {} {weekdays} of {in_month}", ORDINALS[usize::from(first) / 7]))
+        }
+        (first, last) if first == last => Some(format!("on day {first} of {in_month}")),
+        (first, last) => Some(format!("from day {first} to {last} of {in_month}")),
+    };
+    let mut words = Vec::new();
+    let says_month = of_month.is_some();
+    match (of_month, days.every) {
+        (Some(of_month), _) => words.push(of_month),
+        (None, 0 | 1) if days.weekdays == DaySelection::ALL.weekdays => {}
+        (None, 0 | 1) if days.weekdays == 0b001_1111 => words.push("on weekdays".to_owned()),
+        (None, 0 | 1) if days.weekdays == 0b110_0000 => words.push("at weekends".to_owned()),
+        (None, 0 | 1) => words.push(format!("on {weekdays}")),
+        (None, every) if days.weekdays == DaySelection::ALL.weekdays => words.push(format!("every {every} days")),
+        (None, 2) if is_one => words.push(format!("every other {weekdays}")),
+        (None, every) if is_one => words.push(format!("every {every} weeks on {weekdays}")),
+        (None, every) => words.extend([format!("every {every} days"), format!("on {weekdays}")]),
+    }
+    if days.months != DaySelection::ALL.months && !says_month {
+        words.push(format!("in {}", names(days.months, &MONTHS)));
+    }
+    words.extend(days.kind.map(|kind| format!("on {} days", kind.word())));
+    words
+}
+
+pub fn chance_words(chance: &HabitChance) -> Option<String> {
+    match (chance.days_a_week, chance.becomes) {
+        (Some(days), _) => Some(format!("{days} times a week")),
+        (None, Some((becomes, by))) => Some(format!(
+            "{} at first, {} by {}",
+            share_words(chance.probability, "days"),
+            share_words(becomes, "days"),
+            moment(by)
+        )),
+        (None, None) if chance.probability == 1.0 => None,
+        (None, None) => Some(share_words(chance.probability, "days")),
+    }
+}
+
+fn times_words((least, most): (u32, u32), time: &HabitTime) -> Option<String> {
+    let a = match time {
+        HabitTime::Within(PartOfDay::Night) => " a night",
+        HabitTime::Within(PartOfDay::Day) => " during the day",
+        _ => "",
+    };
+    match (least, most) {
+        (1, 1) => None,
+        (least, most) if least == most => Some(format!("{least} times{a}")),
+        (least, most) => Some(format!("{least} to {most} times{a}")),
+    }
+}
+
+/// Whether the repetitions name the part of the day, as in "twice a night".
+fn is_span(time: &HabitTime) -> bool {
+    matches!(time, HabitTime::Within(PartOfDay::Night | PartOfDay::Day))
+}
+
+fn part_words(part: PartOfDay) -> String {
+    match part {
+        PartOfDay::Noon => "at noon".to_owned(),
+        PartOfDay::Night => "at night".to_owned(),
+        PartOfDay::Day => "during the day".to_owned(),
+        part => format!("in the {}", part.word()),
+    }
+}
+
+pub fn time_words(time: &HabitTime) -> Option<String> {
+    let gap = |gap: &Option<Fuzzy>, word: &str, of: &Activity| {
+        let gap = gap.as_ref().map(|gap| format!("{} ", duration(gap))).unwrap_or_default();
+        format!("{gap}{word} she {}", phrase(of))
+    };
+    match time {
+        HabitTime::AnyTime | HabitTime::Then => None,
+        HabitTime::At(at) if at.from == at.to => Some(format!("at {}", clock(at, "at"))),
+        HabitTime::At(at) => Some(format!("between {}", clock(at, "between"))),
+        HabitTime::Within(part) => Some(part_words(*part)),
+        HabitTime::After(of, by) => Some(gap(by, "after", of)),
+        HabitTime::Before(of, by) => Some(gap(by, "before", of)),
+        HabitTime::With(of) => Some(format!("while she {}", phrase(of))),
+    }
+}
+
+/// A time of day; one after midnight that belongs to the evening before is "at night".
+fn clock(at: &Fuzzy, word: &str) -> String {
+    let of = |seconds: f64| {
+        let minutes = (seconds.rem_euclid(DAY_S) / 60.0).round() as u32;
+        format!("{:02}:{:02}", minutes / 60, minutes % 60)
+    };
+    let mut text = of(at.from);
+    if at.from < at.to {
+        text += &format!(" and {}", of(at.to));
+    }
+    let about = match at.from - at.low {
+        PLAIN_TIME_S if at.from == at.to => String::new(),
+        0.0 if at.from < at.to => String::new(),
+        ABOUT_TIME_S if at.from == at.to => {
+            text = format!("about {text}");
+            String::new()
+        }
+        give_or_take => format!(", give or take {},", exactly(give_or_take)),
+    };
+    let of_night = if at.from >= DAY_S && word != "until" { " at night" } else { "" };
+    format!("{text}{of_night}{about}")
+}
+
+fn duration(lasts: &Fuzzy) -> String {
+    let (size, unit) = unit(lasts);
+    amount(lasts, size, unit, PLAIN_SHARE, ABOUT_SHARE)
+}
+
+/// The largest unit in which all numbers are whole.
+fn unit(lasts: &Fuzzy) -> (f64, &'static str) {
+    let is_whole = |size: f64| [lasts.from, lasts.to].iter().all(|value| value % size == 0.0);
+    let units = [(86_400.0, "days"), (3600.0, "hours"), (60.0, "minutes")];
+    units.into_iter().find(|(size, _)| is_whole(*size)).unwrap_or((1.0, "seconds"))
+}
+
+/// A number or a range with its unit. `plain` and `about` are the spreads of a number without and with "about".
+fn amount(value: &Fuzzy, size: f64, unit: &str, plain: f64, about: f64) -> String {
+    let Fuzzy { low, from, to, high } = *value;
+    let range = match from == to {
+        true => number(from / size),
+        false => format!("{} to {}", number(from / size), number(to / size)),
+    };
+    let spreads = |share: f64| is_near(low, from - from * share) && is_near(high, to + to * share);
+    let unit = if range == "1" { unit.trim_end_matches('s') } else { unit };
+    match (from == to, low == from && high == to) {
+        (true, _) if spreads(plain) => format!("{range} {unit}"),
+        (false, true) => format!("{range} {unit}"),
+        _ if spreads(about) => format!("about {range} {unit}"),
+        _ => format!("{range} {unit}, give or take {},", give_or_take(from - low, unit)),
+    }
+}
+
+fn give_or_take(spread: f64, unit: &str) -> String {
+    match unit {
+        "m/s" => format!("{} m/s", number(spread)),
+        _ => exactly(spread),
+    }
+}
+
+/// A duration without a spread.
+fn exactly(seconds: f64) -> String {
+    let (size, unit) = unit(&Fuzzy::exactly(seconds));
+    let count = number(seconds / size);
+    let unit = if count == "1" { unit.trim_end_matches('s') } else { unit };
+    format!("{count} {unit}")
+}
+
+fn is_near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
+}
+
+/// "on 30 % of days"; "one day in three", as a percentage would not give the same number again.
+fn share_words(share: f64, of: &str) -> String {
+    let percent = (share * 100.0).round();
+    // A share such as 0.07 is 7.000000000000001 % in binary.
+    match share {
+        _ if percent / 100.0 == share => format!("on {} % of {of}", number(percent)),
+        share if share == 1.0 / 3.0 && of == "days" => "one day in three".to_owned(),
+        share => format!("on {} % of {of}", number(share * 100.0)),
+    }
+}
+
+fn number(value: f64) -> String {
+    (value + 0.0).to_string()
+}
+
+/// The words of a visitor: a name, or the relation to the resident.
+fn visitor_words(visitor: &str) -> String {
+    match visitor.chars().next().is_some_and(char::is_uppercase) {
+        true => visitor.to_owned(),
+        false => format!("her {visitor}"),
+    }
+}
+
+fn fall_words(falling: &Falling, lies: bool) -> String {
+    let slowly = falling.slowly.then(|| "slowly".to_owned());
+    let from = match falling.from {
+        FallsFrom::Walking => None,
+        FallsFrom::WayToToilet => Some("on the way to the bathroom"),
+        FallsFrom::Rising => Some("while getting up from her chair"),
+        FallsFrom::Seat => Some("out of her chair"),
+        FallsFrom::Bed => Some("out of bed"),
+    };
+    let ends = match falling.ends {
+        FallEnds::Rises => None,
+        FallEnds::Found => Some("and lies there until somebody comes"),
+        FallEnds::Phone => Some("and crawls to the phone"),
+    };
+    let ends = ends.filter(|_| !lies);
+    join([Some("falls".to_owned()), slowly, from.map(str::to_owned), ends.map(str::to_owned)], " ")
+}
+
+fn effect_words(change: &RoutineChange) -> String {
+    let part = change.when.part().map(|part| format!(" {}", part_words(part))).unwrap_or_default();
+    match &change.effect {
+        Effect::Shows { condition, severity } => {
+            let severe = severity_words(*severity).map(|word| format!("{word} ")).unwrap_or_default();
+            format!("she shows {severe}{}", condition.replace('-', " "))
+        }
+        Effect::Pace(by) => format!("she walks {}", factor(by, "faster", "slower", "as fast")),
+        Effect::PaceEachWeek(by) => {
+            let (by, word) = signed(by, "faster", "slower");
+            format!("she walks {} {word} every week", amount(&by, 1.0, "m/s", 0.0, ABOUT_SHARE))
+        }
+        Effect::Later { activity, by } => format!("she {} {}", phrase(activity), shift(by, "later", "earlier")),
+        Effect::LongerBy { activity, by } => format!("she {} {}", phrase(activity), shift(by, "longer", "shorter")),
+        Effect::Longer { activity, factor: by } => {
+            format!("she {} {}", phrase(activity), factor(by, "longer", "shorter", "as long"))
+        }
+        Effect::Oftener { activity, factor: by } if by.high <= 0.0 => format!("she never {}{part}", phrase(activity)),
+        Effect::Oftener { activity, factor: by } => {
+            format!("she {} {}{part}", phrase(activity), factor(by, "more often", "less often", "as often"))
+        }
+        Effect::Skips { activity } => format!("she does not {}", bare(&phrase(activity))),
+        Effect::Irregular(by) => format!("her hours vary {}", factor(by, "more", "less", "as much")),
+        Effect::Active { factor: by } => {
+            format!("she is {}{part}", factor(by, "more active", "less active", "as active"))
+        }
+        Effect::DaysDiffer(by) => format!("her days differ {}", factor(by, "more", "less", "as much")),
+        Effect::DaysAre { kind, very } => {
+            format!("she has a {}{} day", if *very { "very " } else { "" }, kind.word())
+        }
+        Effect::SleepsIn => "she sleeps in after a late night".to_owned(),
+        Effect::Restless(by) => {
+            format!("she sleeps {}", factor(by, "more restlessly", "less restlessly", "as restlessly"))
+        }
+        Effect::Forgets { thing } => format!("she forgets the {thing}"),
+        Effect::Shy { of: Shy::OpenFloor, .. } => "she keeps close to the walls".to_owned(),
+        Effect::Shy { of: Shy::People, .. } => "she keeps away from others".to_owned(),
+        Effect::Shy { of: Shy::GoingOn, gain } => format!("she stops {} times a minute as she wanders", number(*gain)),
+        Effect::Pulse(by) => {
+            let (by, word) = signed(by, "faster", "slower");
+            format!("her heart beats {} {word}", amount(&by, 1.0, "beats a minute", 0.0, ABOUT_SHARE))
+        }
+        Effect::Respiration(by) => {
+            let (by, word) = signed(by, "faster", "slower");
+            format!("she breathes {} {word}", amount(&by, 1.0, "breaths a minute", 0.0, ABOUT_SHARE))
+        }
+    }
+}
+
+/// The word for a severity; none for a moderate one.
+fn severity_words(severity: f64) -> Option<String> {
+    match severity {
+        0.5 => Some("mild".to_owned()),
+        1.0 => None,
+        1.5 => Some("severe".to_owned()),
+        severity => Some(format!("{} times moderate", number(severity))),
+    }
+}
+
+/// "goes" is "go".
+fn bare(phrase: &str) -> String {
+    let (verb, rest) = phrase.split_once(' ').unwrap_or((phrase, ""));
+    let verb = match verb {
+        "has" => "have".to_owned(),
+        "does" | "goes" => verb.trim_end_matches("es").to_owned(),
+        "washes" | "watches" | "dozes" => verb.trim_end_matches('s').trim_end_matches('e').to_owned(),
+        verb => verb.strip_suffix('s').unwrap_or(verb).to_owned(),
+    };
+    join([Some(verb), Some(rest.to_owned()).filter(|rest| !rest.is_empty())], " ")
+}
+
+/// Amounts above zero, and the word for their sign.
+fn signed(by: &Fuzzy, more: &'static str, less: &'static str) -> (Fuzzy, &'static str) {
+    match by.high <= 0.0 {
+        true => (Fuzzy { low: -by.high, from: -by.to, to: -by.from, high: -by.low }, less),
+        false => (*by, more),
+    }
+}
+
+fn shift(by: &Fuzzy, more: &'static str, less: &'static str) -> String {
+    let (by, word) = signed(by, more, less);
+    let (size, unit) = unit(&by);
+    format!("{} {word}", amount(&by, size, unit, 0.0, ABOUT_SHARE))
+}
+
+/// "30 % longer", "10 to 20 % shorter", or "1.5 to 3 times as long".
+fn factor(by: &Fuzzy, more: &str, less: &str, times: &str) -> String {
+    let percent = |factor: f64| {
+        let percent = ((factor - 1.0) * 100.0).round();
+        (1.0 + percent / 100.0 == factor).then_some(percent)
+    };
+    let is_range = by.low == by.from && by.high == by.to;
+    match (percent(by.from), percent(by.to)) {
+        (Some(from), Some(to)) if is_range && from == to && from != 0.0 => {
+            format!("{} % {}", number(from.abs()), if from > 0.0 { more } else { less })
+        }
+        (Some(from), Some(to)) if is_range && from > 0.0 => format!("{} to {} % {more}", number(from), number(to)),
+        (Some(from), Some(to)) if is_range && to < 0.0 => format!("{} to {} % {less}", number(-to), number(-from)),
+        _ => about_percent(by, more, less)
+            .unwrap_or_else(|| format!("{} {times}", amount(by, 1.0, "times", 0.0, ABOUT_SHARE))),
+    }
+}
+
+/// "about 10 % slower": the spread is a share of the percentage.
+fn about_percent(by: &Fuzzy, more: &str, less: &str) -> Option<String> {
+    let (by, word) = signed(&by.map(|factor| (factor - 1.0) * 100.0), "", "-");
+    let spread = by.from * ABOUT_SHARE;
+    let is_about = by.from > 0.0
+        && (by.from - by.low - spread).abs() < 1e-6
+        && (by.high - by.to - by.to * ABOUT_SHARE).abs() < 1e-6;
+    let range = match (by.from.round(), by.to.round()) {
+        (from, to) if from == to => number(from),
+        (from, to) => format!("{} to {}", number(from), number(to)),
+    };
+    is_about.then(|| format!("about {range} % {}", if word == "-" { less } else { more }))
+}
+
+fn event(trigger: &RuleTrigger, lasts: bool) -> String {
+    match trigger {
+        RuleTrigger::On(thing) => format!("the {thing} has been on"),
+        RuleTrigger::At(place) => format!("she has been at the {place}"),
+        RuleTrigger::Away => "she has been away".to_owned(),
+        RuleTrigger::InBed => "she has been in bed".to_owned(),
+        RuleTrigger::Rings(thing) => format!("the {thing} is turned on"),
+        RuleTrigger::Dark(room) => format!("it gets dark{}", in_room(room)),
+        RuleTrigger::Company(who) if !lasts => format!("{} comes", somebody(who)),
+        RuleTrigger::Alone => "nobody is there".to_owned(),
+        RuleTrigger::Doing(activity) if !lasts => format!("she starts to {}", bare(&phrase(activity))),
+        RuleTrigger::Done(activity) => format!("she has finished {}", gerund(&phrase(activity))),
+        RuleTrigger::Between(from, _) if !lasts => {
+            format!("it is {}", clock(&Fuzzy::around(*from, PLAIN_TIME_S), "at"))
+        }
+        RuleTrigger::Follows => "she does so".to_owned(),
+        state => so(state, true),
+    }
+}
+
+fn circumstance(one: &Circumstance) -> String {
+    format!(" and {}", so(&one.state, one.holds))
+}
+
+fn so(state: &RuleTrigger, holds: bool) -> String {
+    let not = if holds { "" } else { "not " };
+    match state {
+        RuleTrigger::On(thing) | RuleTrigger::Rings(thing) => format!("the {thing} is {not}on"),
+        RuleTrigger::At(place) => format!("she is {not}at the {place}"),
+        RuleTrigger::Away => format!("she is {not}away"),
+        RuleTrigger::InBed => format!("she is {not}in bed"),
+        RuleTrigger::Dark(room) => format!("it is {not}dark{}", in_room(room)),
+        RuleTrigger::Company(who) => format!("{} is {not}there", somebody(who)),
+        RuleTrigger::Alone => format!("she is {not}alone"),
+        RuleTrigger::Sitting => format!("she is {not}sitting"),
+        RuleTrigger::Doing(activity) | RuleTrigger::Done(activity) => {
+            format!("she is {not}{}", gerund(&phrase(activity)))
+        }
+        RuleTrigger::Between(from, to) => {
+            let at = |seconds: f64| clock(&Fuzzy::around(seconds, PLAIN_TIME_S), "until");
+            match (*from, *to) {
+                (from, DAY_S) => format!("it is {not}after {}", at(from)),
+                (0.0, to) => format!("it is {not}before {}", at(to)),
+                (from, to) => format!("it is {not}between {} and {}", at(from), at(to)),
+            }
+        }
+        RuleTrigger::Follows => "she does so".to_owned(),
+    }
+}
+
+fn in_room(room: &Option<String>) -> String {
+    room.as_ref().map(|room| format!(" in the {room}")).unwrap_or_default()
+}
+
+fn somebody(who: &Option<String>) -> String {
+    who.as_ref().map_or_else(|| "somebody".to_owned(), |who| visitor_words(who))
+}
+
+/// "watches television" is "watching television".
+fn gerund(phrase: &str) -> String {
+    let verb = bare(phrase);
+    let (verb, rest) = verb.split_once(' ').unwrap_or((&verb, ""));
+    let verb = match verb {
+        "get" | "nap" | "sit" | "put" | "knit" => format!("{verb}{}ing", &verb[verb.len() - 1..]),
+        "lie" => "lying".to_owned(),
+        verb if verb.ends_with('e') && !verb.ends_with("ee") => format!("{}ing", &verb[..verb.len() - 1]),
+        verb => format!("{verb}ing"),
+    };
+    join([Some(verb), Some(rest.to_owned()).filter(|rest| !rest.is_empty())], " ")
+}
+
+fn answer(answer: &Response) -> String {
+    match answer {
+        Response::Turn { thing, on: true } => format!("turns on the {thing}"),
+        Response::Turn { thing, on: false } => format!("turns off the {thing}"),
+        Response::Do { activity, place, lasts } => {
+            let place = place.as_ref().map(|place| place_words(activity, place));
+            let lasts = lasts.as_ref().map(|lasts| format!("for {}", duration(lasts)));
+            join([Some(phrase(activity)), place, lasts], " ")
+        }
+    }
+}
+
+fn place_words(activity: &Activity, place: &str) -> String {
+    let word = match activity {
+        Activity::Other(words) if words == "goes" => "to",
+        Activity::Other(words) if ["checks", "looks at", "looks after"].contains(&words.as_str()) => {
+            return format!("the {place}");
+        }
+        _ => "at",
+    };
+    format!("{word} the {place}")
+}
+
+fn list(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [others @ .., last] => format!("{} and {last}", others.join(", ")),
+    }
+}
+
+fn join<const N: usize>(parts: [Option<String>; N], between: &str) -> String {
+    parts.into_iter().flatten().collect::<Vec<_>>().join(between)
+}
+
+/// A sentence of front parts and a clause, with a capital letter and one full stop.
+fn sentence(front: impl IntoIterator<Item = String>, clause: &str) -> String {
+    let mut text: String = front.into_iter().map(|part| format!("{part}, ")).collect();
+    text += clause.trim_end_matches(',');
+    text = text.replace(",,", ",");
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).chain(['.']).collect())
+}
