@@ -10,12 +10,12 @@ use super::productions::said;
 use super::sharing::shared;
 use super::stays::{Stay, staying};
 use super::times::{HOUR_S, is_of_next_day};
-use super::value::{Act, Clause, RuleSaid, Statement, Subject, TimeOfDay, Verb, When};
+use super::value::{Act, Clause, RuleSaid, Said, Statement, Subject, TimeOfDay, Verb};
 use super::words::TextSpan;
 use super::{calendar, productions};
 use crate::routine::{
-    Activity, Circumstance, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Phase, PhaseDay,
-    Quote, ResidentKind, Response, RoutineChange, RoutineRule, RuleTrigger,
+    Activity, Circumstance, Effect, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Phase, PhaseDay,
+    Quote, ResidentKind, Response, RoutineChange, RoutineRule, RuleTrigger, When,
 };
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
@@ -252,19 +252,19 @@ impl Builder<'_> {
             match help {
                 Help::Together => {
                     let is_of_day = matches!(activity, Activity::GetUp | Activity::GoToBed);
-                    if is_of_day && !matches!(visit.when, HabitTime::At(_)) {
+                    if is_of_day && !matches!(visit.when.time, HabitTime::At(_)) {
                         return self.fault(clause.verb_span, SentenceMessage::WhenHelped);
                     }
-                    let when = if is_of_day { visit.when.clone() } else { HabitTime::With(Activity::Visit) };
-                    let (visitor, lasts, until) = (None, None, None);
-                    let helped = Habit { visitor, activity, when, lasts, until, place: None, ..visit };
+                    let time = if is_of_day { visit.when.time.clone() } else { HabitTime::With(Activity::Visit) };
+                    let when = When { time, lasts: None, until: None, ..visit.when };
+                    let helped = Habit { visitor: None, activity, when, place: None, ..visit };
                     self.built.habits.push((helped, clause.verb_span));
                 }
                 Help::Instead => {
-                    let factor = Fuzzy::exactly(1.0 - visit.chance.probability);
-                    let effect = crate::routine::Effect::Oftener { activity, part: None, factor };
-                    let (said, days, phase) = (visit.said, visit.days, visit.phase);
-                    self.built.changes.push(RoutineChange { said, days, phase, effect });
+                    let factor = Fuzzy::exactly(1.0 - visit.when.chance.probability);
+                    let effect = Effect::Oftener { activity, factor };
+                    let when = When { days: visit.when.days, phase: visit.when.phase, ..When::default() };
+                    self.built.changes.push(RoutineChange { said: visit.said, when, effect });
                 }
             }
         }
@@ -289,8 +289,8 @@ impl Builder<'_> {
         Fuzzy::around(s, time.spread_s)
     }
 
-    /// When, and until when, with times after midnight counted on where they belong to the night before.
-    fn time(&mut self, when: Option<&When>, parts: &Parts, doing: &Activity) -> (HabitTime, Option<Fuzzy>) {
+    /// Said, and until when, with times after midnight counted on where they belong to the night before.
+    fn time(&mut self, when: Option<&Said>, parts: &Parts, doing: &Activity) -> (HabitTime, Option<Fuzzy>) {
         /// Time before the given hour within which a person who gets up by then does so (our choice).
         const BY_S: f64 = 1_800.0;
         let at_night = parts.part.as_ref().is_some_and(|slot| slot.value == [PartOfDay::Night]);
@@ -304,28 +304,28 @@ impl Builder<'_> {
                 Some(part) => (HabitTime::Within(*part), None),
                 None => (HabitTime::AnyTime, None),
             },
-            Some(When::At(time)) => (HabitTime::At(on_its_day(self.seconds(*time, parts, doing))), None),
-            Some(When::By(time)) => {
+            Some(Said::At(time)) => (HabitTime::At(on_its_day(self.seconds(*time, parts, doing))), None),
+            Some(Said::By(time)) => {
                 let at = on_its_day(self.seconds(*time, parts, doing)).from;
                 (HabitTime::At(Fuzzy::between(at - BY_S, at)), None)
             }
-            Some(When::Between(from, to)) => {
+            Some(Said::Between(from, to)) => {
                 let first = on_its_day(self.seconds(*from, parts, doing)).from;
                 let last = self.end(*to, first, parts, doing).from;
                 (HabitTime::At(Fuzzy::between(first, last)), None)
             }
-            Some(When::FromTo(from, to)) => {
+            Some(Said::FromTo(from, to)) => {
                 let first = on_its_day(self.seconds(*from, parts, doing));
                 let last = self.end(*to, first.from, parts, doing);
                 (HabitTime::At(first), Some(last))
             }
-            Some(When::Within(part)) => (HabitTime::Within(*part), None),
-            Some(When::After(activity, gap)) => (HabitTime::After(activity.clone(), *gap), None),
-            Some(When::Before(activity, gap)) => (HabitTime::Before(activity.clone(), *gap), None),
-            Some(When::With(activity)) => (HabitTime::With(activity.clone()), None),
-            Some(When::Then) => (HabitTime::Then, None),
+            Some(Said::Within(part)) => (HabitTime::Within(*part), None),
+            Some(Said::After(activity, gap)) => (HabitTime::After(activity.clone(), *gap), None),
+            Some(Said::Before(activity, gap)) => (HabitTime::Before(activity.clone(), *gap), None),
+            Some(Said::With(activity)) => (HabitTime::With(activity.clone()), None),
+            Some(Said::Then) => (HabitTime::Then, None),
         };
-        if let Some(Slot { value: When::At(time), span, .. }) = &parts.until {
+        if let Some(Slot { value: Said::At(time), span, .. }) = &parts.until {
             let begin = match &when {
                 HabitTime::At(at) => Some(at.from),
                 _ => None,
@@ -381,7 +381,7 @@ impl Builder<'_> {
         let (is_own, own) = (is_own || own.is_some(), own.unwrap_or_default());
         let place = parts.place.as_ref().map(|slot| slot.value.clone()).or(own.place);
         let says_end = parts.until.is_some()
-            || parts.when.as_ref().is_some_and(|slot| slot.value.iter().any(|when| matches!(when, When::FromTo(..))));
+            || parts.when.as_ref().is_some_and(|slot| slot.value.iter().any(|when| matches!(when, Said::FromTo(..))));
         let usual_lasts = own.minutes.map(|minutes| Fuzzy::around(minutes * 60.0, minutes * 60.0 * ABOUT_SHARE));
         let lasts = parts.lasts.as_ref().map(|slot| slot.value).or(usual_lasts.filter(|_| !says_end));
         if is_own && (place.is_none() || lasts.is_none() && !says_end) {
@@ -410,7 +410,7 @@ impl Builder<'_> {
         let phase = self.phase(&parts, clause.span);
         let stay = staying(self, &clause, &activity, &parts, &phase);
         let times = parts.times.as_ref().map_or((1, 1), |slot| slot.value);
-        let whens: Vec<(Option<When>, Parts)> = spread(&parts);
+        let whens: Vec<(Option<Said>, Parts)> = spread(&parts);
         let count = whens.len() as u32;
         // "Twice: in the morning and in the evening" is once in each.
         let times = if count > 1 && times == (count, count) { (1, 1) } else { times };
@@ -449,13 +449,15 @@ impl Builder<'_> {
                 },
                 activity: activity.clone(),
                 place: place.clone(),
-                chance: if inherited_then { HabitChance::ALWAYS } else { chance },
-                days: parts.days(),
-                phase,
-                when,
-                lasts: stays.or(lasts),
-                until,
-                times,
+                when: When {
+                    chance: if inherited_then { HabitChance::ALWAYS } else { chance },
+                    days: parts.days(),
+                    phase,
+                    time: when,
+                    lasts: stays.or(lasts),
+                    until,
+                    times,
+                },
                 falling: falling
                     .filter(|falling| *falling != Falling::default() || matches!(clause.verb, Verb::Falls(_))),
             };
@@ -598,7 +600,8 @@ impl Builder<'_> {
             self.fault(fading.span, TimeSentenceMessage::NoEndToFade);
         }
         let first = from.unwrap_or(PhaseDay::Day(0));
-        let is_before = |day| calendar::days_between(first, day, self.context.first_date).is_some_and(|days| days <= 0);
+        let first_date = self.context.first_date;
+        let is_before = |day| calendar::days_between(first, day, first_date).is_some_and(|days| days <= 0);
         let becomes = parts.chance.as_ref().and_then(|slot| Some((slot.span, slot.value.chance.becomes?.1)));
         if let Some((at, _)) = becomes.filter(|(_, by)| is_before(*by)) {
             let text = self.said(at);
@@ -644,7 +647,7 @@ impl Builder<'_> {
         }
         let parts = parts.with_rest_of(front);
         let phase = self.phase(&parts, span);
-        let probability = parts.chance.as_ref().map_or(1.0, |slot| slot.value.chance.probability);
+        let chance = parts.chance.as_ref().map_or(HabitChance::ALWAYS, |slot| slot.value.chance);
         let lasts = rule.lasts.unwrap_or(Fuzzy::exactly(0.0));
         let mut responses = responses.into_iter();
         let Some(response) = responses.next() else { return };
@@ -654,8 +657,7 @@ impl Builder<'_> {
             whenever: rule.trigger.clone(),
             lasts,
             only_if,
-            probability,
-            phase,
+            when: When { phase, chance, ..When::default() },
             response,
             then: responses.collect(),
             lapse: rule.lapse,
@@ -701,7 +703,7 @@ fn next_open(begin: f64, open: f64) -> f64 {
 }
 
 /// The parts with one time each.
-fn spread(parts: &Parts) -> Vec<(Option<When>, Parts)> {
+fn spread(parts: &Parts) -> Vec<(Option<Said>, Parts)> {
     if let Some(slot) = &parts.when {
         return slot.value.iter().map(|when| (Some(when.clone()), parts.clone())).collect();
     }

@@ -5,7 +5,7 @@ use super::messages::SentenceMessage;
 use super::parts::SlotKind;
 use super::productions::unsaid_chance;
 use super::value::{Clause, Measure, Of, Subject, Verb};
-use crate::routine::{Activity, Effect, HabitChance, PartOfDay, RoutineChange, Shy};
+use crate::routine::{Activity, Effect, HabitChance, HabitTime, RoutineChange, Shy, When};
 use homebody_core::activity::TimeUse;
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 
@@ -32,13 +32,25 @@ pub fn change(builder: &mut Builder, clause: &Clause) {
     if let (Effect::DaysAre { .. }, Some(kind)) = (&effect, &clause.parts.kind) {
         return builder.fault(kind.span, SentenceMessage::WhichDays);
     }
+    let part = clause.parts.part.as_ref().and_then(|slot| slot.value.first()).copied();
+    let time = match effect {
+        Effect::Oftener { .. } | Effect::Active { .. } => part.map_or(HabitTime::AnyTime, HabitTime::Within),
+        _ => HabitTime::AnyTime,
+    };
+    let chance = match effect {
+        Effect::DaysAre { .. } => days_chance(clause),
+        Effect::Skips { .. } | Effect::Forgets { .. } if chance(clause).is_some() => {
+            clause.parts.chance.as_ref().map_or(HabitChance::ALWAYS, |slot| slot.value.chance)
+        }
+        _ => HabitChance::ALWAYS,
+    };
+    let when = When { phase, days: clause.parts.days(), chance, time, ..When::default() };
     let said = builder.quote(clause.span);
-    builder.built.changes.push(RoutineChange { said, days: clause.parts.days(), phase, effect });
+    builder.built.changes.push(RoutineChange { said, when, effect });
 }
 
 fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [SlotKind])> {
     let measure = clause.parts.measure.as_ref().map(|slot| slot.value);
-    let part = clause.parts.part.as_ref().and_then(|slot| slot.value.first()).copied();
     if names_one_outing(builder, clause) {
         let text = builder.said(clause.verb_span);
         builder.fault(clause.verb_span, SentenceMessage::OneOuting { text });
@@ -46,10 +58,10 @@ fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [S
     }
     let of_body = clause.subject == Subject::Pulse || clause.subject == Subject::Breathing;
     Some(match (&clause.verb, measure.map(|Measure { of, by }| (of, by))) {
-        (Verb::Does(act), Some((of, by))) => return of_activity(builder, clause, &act.activity, of, by, part),
+        (Verb::Does(act), Some((of, by))) => return of_activity(builder, clause, &act.activity, of, by),
         (Verb::Walks | Verb::Is, Some((Of::Faster, by))) => (Effect::Pace(by), PHASE),
         (Verb::Walks, Some((Of::FasterBy { each_week: true }, by))) => (Effect::PaceEachWeek(by), PHASE),
-        (Verb::Is, Some((Of::Active, factor))) => (Effect::Active { part, factor }, PHASE_AND_PART),
+        (Verb::Is, Some((Of::Active, factor))) => (Effect::Active { factor }, PHASE_AND_PART),
         (Verb::Sleeps, Some((Of::Restless | Of::Much, by))) => (Effect::Restless(by), PHASE),
         (Verb::Sleeps, Some((Of::Later | Of::LongerBy, by))) => {
             (Effect::Later { activity: Activity::GetUp, by }, PHASE)
@@ -61,10 +73,9 @@ fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [S
         }
         (Verb::Vary, Some((Of::Much, by))) => (Effect::Irregular(by), PHASE),
         (Verb::Differ, Some((Of::Much, by))) => (Effect::DaysDiffer(by), PHASE),
-        (Verb::SleepsIn, None) => (Effect::SleepsIn, PHASE_ALONE),
+        (Verb::SleepsIn, None) => (Effect::SleepsIn, PHASE),
         (Verb::Lively(kind, very), None) => {
-            let chance = days_chance(clause);
-            (Effect::DaysAre { kind: *kind, very: *very, chance }, PHASE_AND_CHANCE)
+            (Effect::DaysAre { kind: *kind, very: *very }, PHASE_AND_CHANCE)
         }
         (Verb::Breathes, Some((Of::Breaths, by))) => (Effect::Respiration(by), PHASE),
         (Verb::Is, Some((Of::Breaths, by))) if of_body => (Effect::Respiration(by), PHASE),
@@ -75,31 +86,32 @@ fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [S
             let often = chance(clause).unwrap_or(Quantifier::Sometimes.probability());
             (Effect::Shy { of: Shy::GoingOn, gain: STOPS_PER_MIN * often }, PHASE_AND_CHANCE)
         }
-        (Verb::Shy(of), None) => (Effect::Shy { of: *of, gain: SHY }, PHASE_ALONE),
+        (Verb::Stops(gain), None) => (Effect::Shy { of: Shy::GoingOn, gain: *gain }, PHASE),
+        (Verb::Shy(of), None) => (Effect::Shy { of: *of, gain: SHY }, PHASE),
         (Verb::Shows(condition, severity), None) => {
             (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE_ALONE)
         }
         (Verb::Not(act), None) => match chance(clause) {
-            Some(chance) => (Effect::Skips { activity: act.activity.clone(), chance }, PHASE_AND_CHANCE),
+            Some(_) => (Effect::Skips { activity: act.activity.clone() }, PHASE_AND_CHANCE),
             None => {
                 let factor = Fuzzy::exactly(0.0);
-                (Effect::Oftener { activity: act.activity.clone(), part, factor }, PHASE_AND_PART)
+                (Effect::Oftener { activity: act.activity.clone(), factor }, PHASE_AND_PART)
             }
         },
         (Verb::Skips(act), None) => {
             let says_weekdays = clause.parts.weekdays.as_ref().is_some_and(|slot| slot.own);
             let activity = act.activity.clone();
             if says_weekdays && chance(clause).is_none() {
-                return Some((Effect::Skips { activity, chance: 1.0 }, PHASE));
+                return Some((Effect::Skips { activity }, PHASE));
             }
             let last = builder.said(act.span);
             let last = last.rsplit(' ').next().unwrap_or_default();
-            let chance = needed_chance(builder, clause, format!("she skips {last} on 30 % of days"))?;
-            (Effect::Skips { activity, chance }, PHASE_AND_CHANCE)
+            needed_chance(builder, clause, format!("she skips {last} on 30 % of days"))?;
+            (Effect::Skips { activity }, PHASE_AND_CHANCE)
         }
         (Verb::Forgets(thing), None) => {
-            let chance = needed_chance(builder, clause, format!("she forgets the {thing} on 5 % of occasions"))?;
-            (Effect::Forgets { thing: thing.clone(), chance }, PHASE_AND_CHANCE)
+            needed_chance(builder, clause, format!("she forgets the {thing} on 5 % of occasions"))?;
+            (Effect::Forgets { thing: thing.clone() }, PHASE_AND_CHANCE)
         }
         _ => {
             not_a_change(builder, clause);
@@ -130,16 +142,15 @@ fn of_activity(
     activity: &Activity,
     of: Of,
     by: Fuzzy,
-    part: Option<PartOfDay>,
 ) -> Option<(Effect, &'static [SlotKind])> {
     let activity = activity.clone();
     let effect = match of {
         Of::Later => Effect::Later { activity, by },
         Of::Longer => Effect::Longer { activity, factor: by },
         Of::LongerBy => Effect::LongerBy { activity, by },
-        Of::Oftener => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART)),
+        Of::Oftener => return Some((Effect::Oftener { activity, factor: by }, PHASE_AND_PART)),
         Of::Some if lasts_long(&activity) => Effect::Longer { activity, factor: by },
-        Of::Some => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART)),
+        Of::Some => return Some((Effect::Oftener { activity, factor: by }, PHASE_AND_PART)),
         Of::Much => {
             let span = clause.parts.measure.as_ref().map_or(clause.span, |slot| slot.span);
             let text = builder.said(span);

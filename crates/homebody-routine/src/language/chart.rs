@@ -263,7 +263,10 @@ impl<'a> Chart<'a> {
         let before = faults.len();
         let value = match &rule.make {
             Make::Constant(value) => value.clone(),
-            Make::Same => items.first().map_or_else(|| Rc::new(Value::Unit), |item| item.value.clone()),
+            Make::Same => {
+                let said = items.iter().find(|item| *item.value != Value::Unit);
+                said.map_or_else(|| Rc::new(Value::Unit), |item| item.value.clone())
+            }
             Make::By(production, constants) => {
                 let kids: Vec<Kid> = items
                     .iter()
@@ -273,7 +276,6 @@ impl<'a> Chart<'a> {
                     kids: &kids,
                     constants,
                     words: &self.words[edge.start as usize..edge.end as usize],
-                    before: &self.words[..edge.start as usize],
                     span: self.span(edge.start, edge.end),
                     text: self.text,
                     faults: Vec::new(),

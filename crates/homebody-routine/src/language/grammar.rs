@@ -44,7 +44,7 @@ pub struct Element {
 #[derive(Clone)]
 pub enum Make {
     By(Production, Rc<[String]>),
-    /// The value of the only phrase, or nothing.
+    /// The value of the only phrase that has one, or nothing.
     Same,
     Constant(Rc<Value>),
 }
@@ -153,8 +153,10 @@ impl Grammar {
                 "[,]" => comma = Comma::May,
                 _ => {
                     let element = self.element(written);
+                    // Where the phrase is missing, the comma stands before the next one.
+                    let carried = if element.optional && comma != Comma::No { Comma::May } else { Comma::No };
                     elements.push(Element { comma, ..element });
-                    comma = Comma::No;
+                    comma = carried;
                 }
             }
         }

@@ -1,6 +1,6 @@
-//! When, where, how often and how long: the parts of a sentence that stand in any order. Each fills a slot, once.
+//! Said, where, how often and how long: the parts of a sentence that stand in any order. Each fills a slot, once.
 
-use super::value::{Chance, Measure, When};
+use super::value::{Chance, Measure, Said};
 use super::words::TextSpan;
 use crate::routine::{DayKind, DaySelection, FallEnds, FallsFrom, PartOfDay, PhaseDay};
 use homebody_core::fuzzy::Fuzzy;
@@ -19,7 +19,7 @@ pub enum SlotKind {
     Chance,
     Days,
     Part,
-    When,
+    Said,
     Lasts,
     Until,
     Times,
@@ -78,9 +78,9 @@ parts! {
     of_month: (u8, u8), Days, "both say on which days";
     kind: DayKind, Days, "both say on which days";
     part: Vec<PartOfDay>, Part, "both say at which time of the day";
-    when: Vec<When>, When, "both say at which time";
+    when: Vec<Said>, Said, "both say at which time";
     lasts: Fuzzy, Lasts, "both say how long";
-    until: When, Until, "both say until when";
+    until: Said, Until, "both say until when";
     times: (u32, u32), Times, "both say how many times";
     from: PhaseDay, Phase, "both say from when";
     /// From the end of the clause before.

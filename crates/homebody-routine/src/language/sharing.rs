@@ -6,7 +6,7 @@
 
 use super::messages::SentenceMessage;
 use super::parts::{Parts, Slot};
-use super::value::{Chance, Clause, Join, Verb, When};
+use super::value::{Chance, Clause, Join, Verb, Said};
 use super::words::TextSpan;
 use crate::routine::{Activity, HabitChance};
 use homebody_core::problem::Diagnostic;
@@ -107,9 +107,9 @@ fn take_over(group: &mut [Clause], said: &[(Join, Clause)]) -> Option<TextSpan> 
         clause.parts.part = behind.part.clone();
         let Some(when) = behind.when.clone() else { continue };
         if is_bed {
-            clause.parts.when = Some(Slot { value: vec![When::Before(Activity::GoToBed, None)], ..when });
+            clause.parts.when = Some(Slot { value: vec![Said::Before(Activity::GoToBed, None)], ..when });
         } else {
-            clause.parts.when = last.parts.when.replace(Slot { value: vec![When::Then], ..when });
+            clause.parts.when = last.parts.when.replace(Slot { value: vec![Said::Then], ..when });
         }
     }
     for at in 1..group.len() {
@@ -127,7 +127,7 @@ fn take_over(group: &mut [Clause], said: &[(Join, Clause)]) -> Option<TextSpan> 
         here.parts = here.parts.clone().on_days_of(&first.parts);
         if !here.parts.says_time() && here.subject == first.subject {
             match &first.parts.when {
-                Some(when) => here.parts.when = Some(Slot { value: vec![When::Then], ..when.clone() }),
+                Some(when) => here.parts.when = Some(Slot { value: vec![Said::Then], ..when.clone() }),
                 None => here.parts.part = first.parts.part.clone(),
             }
         }

@@ -5,7 +5,7 @@ use super::build::Builder;
 use super::calendar::{self, days_between};
 use super::messages::TimeSentenceMessage;
 use super::parts::Parts;
-use super::value::{Clause, When};
+use super::value::{Clause, Said};
 use crate::routine::{Activity, HabitTime, Phase};
 use homebody_core::fuzzy::Fuzzy;
 
@@ -16,7 +16,7 @@ const COMES_BACK_S: f64 = 17.0 * 3600.0;
 /// For so many days at most somebody is away at a stretch (our choice).
 const MOST_DAYS: i32 = 390;
 
-/// When it begins, on which day, and how long it lasts.
+/// Said it begins, on which day, and how long it lasts.
 pub struct Stay {
     pub when: HabitTime,
     pub phase: Phase,
@@ -35,7 +35,7 @@ pub fn staying(
     let words = builder.said(clause.verb_span).to_lowercase();
     let is_state = ["is ", "are ", "stays", "stay"].iter().any(|state| words.starts_with(state));
     let when = match parts.when.as_ref().map(|slot| &slot.value[..]) {
-        Some([When::At(time)]) if !time.clock.open => HabitTime::At(Fuzzy::around(time.clock.s, time.spread_s)),
+        Some([Said::At(time)]) if !time.clock.open => HabitTime::At(Fuzzy::around(time.clock.s, time.spread_s)),
         None if parts.part.is_none() => HabitTime::At(SETS_OUT_S),
         _ => return None,
     };

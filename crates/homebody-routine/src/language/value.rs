@@ -66,9 +66,9 @@ pub struct TimeOfDay {
     pub spread_s: f64,
 }
 
-/// When something is done, with open times.
+/// Said something is done, with open times.
 #[derive(Clone, Debug, PartialEq)]
-pub enum When {
+pub enum Said {
     At(TimeOfDay),
     Between(TimeOfDay, TimeOfDay),
     FromTo(TimeOfDay, TimeOfDay),
@@ -141,6 +141,8 @@ pub enum Verb {
     Walks,
     Pace(Fuzzy),
     Does(Act),
+    /// "Eats", of the meal that was prepared.
+    Eats,
     /// Until when somebody stays in bed, or up.
     Stays(Activity),
     SleepsAt,
@@ -158,6 +160,8 @@ pub enum Verb {
     Rises(Measure),
     Breathes,
     Shy(Shy),
+    /// So many times a minute, while wandering.
+    Stops(f64),
     Helps(Act, Help),
     /// Done with the help of somebody.
     HelpedBy(String, Act),

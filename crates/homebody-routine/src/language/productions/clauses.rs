@@ -2,13 +2,13 @@
 
 use super::days::as_kind;
 use super::times::as_parts;
-use super::verbs::as_verb;
+use super::verbs::{act_of, as_verb};
 use super::{Arguments, Production, parts};
 use crate::language::messages::TimeSentenceMessage;
 use crate::language::parts::{Parts, Slot};
-use crate::language::value::{Act, Clause, Join, Measure, Of, Statement, Subject, Value, Verb, When};
+use crate::language::value::{Act, Clause, Join, Measure, Of, Statement, Subject, Value, Verb, Said};
 use crate::language::words::TextSpan;
-use crate::routine::{DayKind, HabitChance};
+use crate::routine::{Activity, DayKind, HabitChance, PartOfDay};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 
 /// Largest number of activities in a sequence. More need several sentences.
@@ -26,8 +26,22 @@ pub fn named(name: &str) -> Option<Production> {
             let then = a.words.iter().find(|word| word.text == "then").map(|word| word.span)?;
             clause(a, Some(then))
         },
+        // "Gets up twice a night to go to the toilet": that is done at night.
+        "clause_at_night" => |a| {
+            let act = a.act()?;
+            let both = a.all(as_parts);
+            let (behind, front) = both.split_last()?;
+            let front = front.first().cloned().unwrap_or_default();
+            let all = merged(a, &front, behind);
+            let at_night = all.part.as_ref().is_some_and(|slot| slot.value == [PartOfDay::Night]);
+            let clause = plain(a, Subject::Person, Verb::Does(act));
+            at_night.then(|| Value::Clause(Box::new(Clause { parts: all, behind: behind.clone(), ..clause })))
+        },
         "first_clause" => |a| {
             let clause = a.one(as_clause)?;
+            if clause.verb == Verb::Eats {
+                return None;
+            }
             Some(Value::Clauses(vec![(Join::Then, clause)]))
         },
         "join" => join,
@@ -64,9 +78,14 @@ pub fn named(name: &str) -> Option<Production> {
             let then = a.words.iter().map(|word| word.span).take_while(|span| span.start < end).reduce(TextSpan::to)?;
             statement(a, Some(then))
         },
+        "statement_then_behind" => |a| {
+            let (front, clauses) = (a.kids[0].span.end, a.kids[1].span.start);
+            let then = a.words.iter().map(|word| word.span).find(|span| front <= span.start && span.start < clauses)?;
+            statement(a, Some(then))
+        },
         "days_are" => |a| {
             let (mut front, mut kind) = (a.one(as_parts)?, a.all(as_kind));
-            let very = a.words.iter().any(|word| word.text == "very");
+            let very = a.has("very") || a.words.iter().any(|word| word.text == "very");
             let kind = kind.pop()?;
             if front.chance.as_ref().is_some_and(|slot| slot.value.chance.quantifier == Some(Quantifier::Every)) {
                 front.chance = None;
@@ -146,7 +165,7 @@ fn clause(a: &mut Arguments, then: Option<TextSpan>) -> Option<Value> {
         behind = merged(a, &more, &behind);
     }
     if let Some(span) = then {
-        let when = Parts { when: Some(Slot { value: vec![When::Then], span, own: true }), ..Parts::default() };
+        let when = Parts { when: Some(Slot { value: vec![Said::Then], span, own: true }), ..Parts::default() };
         behind = merged(a, &when, &behind);
     }
     let all = merged(a, &before, &behind);
@@ -216,17 +235,27 @@ fn join(a: &mut Arguments) -> Option<Value> {
     let then = TextSpan { start, end: a.kids[1].span.start.max(start) };
     let when = match (join, &next.parts.when) {
         (Join::Then, Some(_)) => return None,
-        (Join::Then, None) => Some(Slot { value: vec![When::Then], span: then, own: true }),
+        (Join::Then, None) => Some(Slot { value: vec![Said::Then], span: then, own: true }),
         (_, when) => when.clone(),
     };
     // "Does not cook or clean": neither is done.
     let verb = match (join, &clauses.last()?.1.verb, next.verb) {
         (Join::Or, Verb::Not(_), Verb::Does(act)) => Verb::Not(act),
+        (_, _, Verb::Eats) => Verb::Does(eats(&clauses, next.verb_span)?),
         (_, _, verb) => verb,
     };
     let span = TextSpan { start, ..next.span };
     clauses.push((join, Clause { subject, verb, parts: Parts { when, ..next.parts }, span, ..next }));
     Some(Value::Clauses(clauses))
+}
+
+/// Eating the meal that was prepared before.
+fn eats(clauses: &[(Join, Clause)], span: TextSpan) -> Option<Act> {
+    let meal = clauses.iter().rev().find_map(|(_, clause)| match &clause.verb {
+        Verb::Does(Act { activity: Activity::Prepare(meal), .. }) => Some(*meal),
+        _ => None,
+    })?;
+    Some(act_of(Activity::Eat(meal), span))
 }
 
 fn statement(a: &mut Arguments, then: Option<TextSpan>) -> Option<Value> {
@@ -239,7 +268,7 @@ fn statement(a: &mut Arguments, then: Option<TextSpan>) -> Option<Value> {
     if let Some(span) = then {
         first.parts.when = match first.parts.when {
             Some(_) => return None,
-            None => Some(Slot { value: vec![When::Then], span, own: true }),
+            None => Some(Slot { value: vec![Said::Then], span, own: true }),
         };
     }
     first.span = TextSpan { start: a.span.start, ..first.span };

@@ -50,6 +50,21 @@ pub fn named(name: &str) -> Option<Production> {
         },
         "day_of_year" => day_of_year,
         "nth_of_month" => nth_of_month,
+        "day_of_months" | "days_of_months" => |a| {
+            let days = a.numbers();
+            let (first, last) = (*days.first()?, *days.last()?);
+            let is_day = |day: f64| day.fract() == 0.0 && (0.0..=31.0).contains(&day);
+            let months = a.one(as_months).and_then(|months| a.slot(months));
+            let of_month = a.slot((first as u8, last as u8)).filter(|_| is_day(first) && is_day(last) && first <= last);
+            of_month.as_ref()?;
+            parts(Parts { of_month, months, ..Parts::default() })
+        },
+        "nth_of_months" => |a| {
+            let (numbers, months) = (a.numbers(), a.one(as_months)?);
+            let of_month = of_weekday(numbers[0])?;
+            let weekdays = a.slot(1_u8 << numbers[1] as u8);
+            parts(Parts { of_month: a.slot(of_month), weekdays, months: a.slot(months), ..Parts::default() })
+        },
         "of_kind" => |a| {
             let kind = a.one(as_kind)?;
             parts(Parts { kind: a.slot(kind), ..Parts::default() })
@@ -228,8 +243,7 @@ fn nth_of_month(a: &mut Arguments) -> Option<Value> {
     let has_weekday = numbers.len() > 1 + usize::from(is_month);
     let nth = numbers[0];
     let of_month = match (has_weekday, nth as u8) {
-        (true, 0) => LAST_WEEK,
-        (true, 1..=4) => (nth as u8 * 7 - 6, nth as u8 * 7),
+        (true, _) => of_weekday(nth)?,
         (false, 1..=31) => (nth as u8, nth as u8),
         _ => return None,
     };
@@ -237,4 +251,13 @@ fn nth_of_month(a: &mut Arguments) -> Option<Value> {
     let months = if months == DaySelection::ALL.months { None } else { a.slot(months) };
     let weekdays = if has_weekday { a.slot(1_u8 << numbers[1] as u8) } else { None };
     parts(Parts { of_month: a.slot(of_month), weekdays, months, ..Parts::default() })
+}
+
+/// The days of a month among which its first, second or last Monday is.
+fn of_weekday(nth: f64) -> Option<(u8, u8)> {
+    match nth as u8 {
+        0 => Some(LAST_WEEK),
+        nth @ 1..=4 => Some((nth * 7 - 6, nth * 7)),
+        _ => None,
+    }
 }

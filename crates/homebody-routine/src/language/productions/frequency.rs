@@ -68,6 +68,12 @@ pub fn named(name: &str) -> Option<Production> {
             let part = a.one(as_part).and_then(|part| a.slot(part));
             parts(Parts { every: a.slot(nth as u32), weekdays: a.slot(weekdays), part, ..Parts::default() })
         },
+        "every_weeks_on" => |a| {
+            let (weeks, day) = (a.numbers()[0], a.numbers()[1]);
+            let weekdays = a.slot(1_u8 << day as u8);
+            let is_whole = weeks.fract() == 0.0 && (1.0..=52.0).contains(&weeks);
+            is_whole.then(|| parts(Parts { every: a.slot(weeks as u32), weekdays, ..Parts::default() }))?
+        },
         "each_period" => |a| {
             let days = [a.number_constants(), a.numbers()].concat()[0];
             rated(a, Range { from: 1.0, to: 1.0, about: false }, days)
@@ -168,7 +174,11 @@ fn every(a: &mut Arguments, unit: f64) -> Option<Value> {
         let text = a.said(a.span).split_whitespace().skip(1).collect::<Vec<_>>().join(" ");
         a.fault(a.span, TimeSentenceMessage::EveryDays { text });
     }
-    let part = a.one(as_part).and_then(|part| a.slot(part));
+    let part = a.one(as_part);
+    if part.as_deref() == Some(&[PartOfDay::Day]) {
+        return None;
+    }
+    let part = part.and_then(|part| a.slot(part));
     parts(Parts { every: a.slot(days.clamp(1.0, 365.0) as u32), part, ..Parts::default() })
 }
 

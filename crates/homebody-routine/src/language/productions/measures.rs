@@ -45,8 +45,8 @@ pub fn named(name: &str) -> Option<Production> {
         },
         "factor" => |a| {
             let numbers = [a.numbers(), a.number_constants()].concat();
-            let range =
-                a.one(as_range).or(Some(Range { from: *numbers.first()?, to: *numbers.last()?, about: false }))?;
+            let of_numbers = || Some(Range { from: *numbers.first()?, to: *numbers.last()?, about: false });
+            let range = a.one(as_range).or_else(of_numbers)?;
             Some(Value::Range(range))
         },
         "times_as" => |a| {

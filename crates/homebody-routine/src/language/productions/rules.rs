@@ -6,7 +6,7 @@ use super::{Arguments, Production};
 use crate::language::amounts::DAY_S;
 use crate::language::messages::{RuleSentenceMessage, TimeSentenceMessage};
 use crate::language::parts::Parts;
-use crate::language::value::{Answer, RuleSaid, Statement, TimeOfDay, Value, When};
+use crate::language::value::{Answer, RuleSaid, Statement, TimeOfDay, Value, Said};
 use crate::routine::{Activity, Circumstance, Lapse, Response, RuleTrigger};
 use homebody_core::fuzzy::Fuzzy;
 
@@ -50,15 +50,15 @@ pub fn named(name: &str) -> Option<Production> {
         "circumstance_between" => |a| {
             let times = a.all(as_time);
             let at = |time: &TimeOfDay| (!time.clock.open).then_some(time.clock.s.rem_euclid(DAY_S));
-            circumstance(a, RuleTrigger::Between(at(&times[0])?, at(&times[1])?), true)
+            circumstance(a, RuleTrigger::Between(at(&times[0])?, at(&times[1])?), !a.has("not"))
         },
         "circumstance_after" => |a| {
             let at = closed(a)?[0];
-            circumstance(a, RuleTrigger::Between(at, DAY_S), true)
+            circumstance(a, RuleTrigger::Between(at, DAY_S), !a.has("not"))
         },
         "circumstance_before" => |a| {
             let at = closed(a)?[0];
-            circumstance(a, RuleTrigger::Between(0.0, at), true)
+            circumstance(a, RuleTrigger::Between(0.0, at), !a.has("not"))
         },
         "circumstance_company" => |a| circumstance(a, RuleTrigger::Company(a.name()), !a.has("not")),
         "circumstance_thing" => |a| circumstance(a, RuleTrigger::Rings(a.name()?), !a.has("not")),
@@ -180,7 +180,7 @@ fn rule(a: &mut Arguments) -> Option<Value> {
         a.fault(trigger_span, RuleSentenceMessage::NoLength);
     }
     let answers = a.one(as_answers)?;
-    let asks_then = |parts: &Parts| parts.when.as_ref().is_some_and(|slot| slot.value == [When::Then]);
+    let asks_then = |parts: &Parts| parts.when.as_ref().is_some_and(|slot| slot.value == [Said::Then]);
     if answers.iter().any(|answer| asks_then(&answer.parts)) {
         return None;
     }

@@ -6,7 +6,7 @@ use crate::language::amounts::DAY_S;
 use crate::language::messages::TimeSentenceMessage;
 use crate::language::parts::Parts;
 use crate::language::times::{ABOUT_TIME_S, HOUR_S, PLAIN_TIME_S, is_of_next_day};
-use crate::language::value::{Clock, TimeOfDay, Value, When};
+use crate::language::value::{Clock, TimeOfDay, Value, Said};
 use crate::language::words::TextSpan;
 use crate::routine::{Activity, Meal, PartOfDay};
 use homebody_core::fuzzy::Fuzzy;
@@ -81,8 +81,10 @@ pub fn named(name: &str) -> Option<Production> {
         "part" => |a| Some(Value::PartOfDay(vec![part_named(a.constant(0))?])),
         "parts_of_day" => |a| Some(Value::PartOfDay(a.all(as_part).concat())),
         "at" => |a| {
+            // "At noon" is a part of the day.
+            let is_part = ["noon", "midday"].contains(&a.spoken().trim_start_matches("at "));
             when(a, |times| match times {
-                [at] => Some(When::At(*at)),
+                [at] if !is_part => Some(Said::At(*at)),
                 _ => None,
             })
         },
@@ -104,23 +106,23 @@ pub fn named(name: &str) -> Option<Production> {
         "list_of_clocks" => |a| {
             let times = a.all(as_time);
             // "At 8 and 9 in the evening": the half is that of the last.
-            let list = times.iter().map(|time| When::At(*time)).collect();
+            let list = times.iter().map(|time| Said::At(*time)).collect();
             parts(Parts { when: a.slot(list), ..Parts::default() })
         },
         "list_of_ranges" => |a| {
             let times = a.all(as_time);
-            let ranges: Option<Vec<When>> = times.chunks_exact(2).map(|pair| range(a, pair[0], pair[1])).collect();
+            let ranges: Option<Vec<Said>> = times.chunks_exact(2).map(|pair| range(a, pair[0], pair[1])).collect();
             let ranges = ranges?.into_iter().map(|when| match when {
-                When::Between(from, to) => When::FromTo(from, to),
+                Said::Between(from, to) => Said::FromTo(from, to),
                 other => other,
             });
             parts(Parts { when: a.slot(ranges.collect()), ..Parts::default() })
         },
         "meals" => |a| {
             let meal = |meal: Meal| match a.constant(0) {
-                "with" => When::With(Activity::Eat(meal)),
-                "after" => When::After(Activity::Eat(meal), None),
-                _ => When::Before(Activity::Eat(meal), None),
+                "with" => Said::With(Activity::Eat(meal)),
+                "after" => Said::After(Activity::Eat(meal), None),
+                _ => Said::Before(Activity::Eat(meal), None),
             };
             parts(Parts { when: a.slot(Meal::ALL.map(meal).to_vec()), ..Parts::default() })
         },
@@ -136,11 +138,11 @@ pub fn named(name: &str) -> Option<Production> {
         },
         "until_time" => |a| {
             let time = a.one(as_time)?;
-            parts(Parts { until: a.slot(When::At(time)), ..Parts::default() })
+            parts(Parts { until: a.slot(Said::At(time)), ..Parts::default() })
         },
         "by" => |a| {
             when(a, |times| match times {
-                [by] => Some(When::By(*by)),
+                [by] => Some(Said::By(*by)),
                 _ => None,
             })
         },
@@ -170,21 +172,21 @@ pub fn named(name: &str) -> Option<Production> {
             a.fault(span, TimeSentenceMessage::NotALength { text });
             Some(Value::Parts(Box::default()))
         },
-        "after" => |a| order(a, When::After),
-        "before" => |a| order(a, When::Before),
-        "with" => |a| order(a, |event, _| When::With(event)),
+        "after" => |a| order(a, Said::After),
+        "before" => |a| order(a, Said::Before),
+        "with" => |a| order(a, |event, _| Said::With(event)),
         "with_meal" => |a| match a.one(as_event)? {
-            Activity::Eat(_) => order(a, |event, _| When::With(event)),
+            Activity::Eat(_) => order(a, |event, _| Said::With(event)),
             _ => None,
         },
         "when_doing" => |a| {
             order(a, |event, _| match event {
-                Activity::GoToBed => When::Before(event, None),
-                Activity::GetUp | Activity::ComeHome => When::After(event, None),
-                _ => When::With(event),
+                Activity::GoToBed => Said::Before(event, None),
+                Activity::GetUp | Activity::ComeHome => Said::After(event, None),
+                _ => Said::With(event),
             })
         },
-        "when_done" => |a| order(a, When::After),
+        "when_done" => |a| order(a, Said::After),
         _ => return None,
     })
 }
@@ -335,7 +337,7 @@ pub fn meant(text: &str) -> Option<(u8, u8)> {
     (hours < 24 && minutes < 60).then_some((hours, minutes))
 }
 
-fn when(a: &mut Arguments, make: impl Fn(&[TimeOfDay]) -> Option<When>) -> Option<Value> {
+fn when(a: &mut Arguments, make: impl Fn(&[TimeOfDay]) -> Option<Said>) -> Option<Value> {
     let when = make(&a.all(as_time))?;
     parts(Parts { when: a.slot(vec![when]), ..Parts::default() })
 }
@@ -343,13 +345,13 @@ fn when(a: &mut Arguments, make: impl Fn(&[TimeOfDay]) -> Option<When>) -> Optio
 fn list_of_times(a: &mut Arguments) -> Option<Value> {
     let mut list = Vec::new();
     for one in a.all(as_parts) {
-        list.extend(one.part.iter().flat_map(|slot| slot.value.iter().map(|part| When::Within(*part))));
+        list.extend(one.part.iter().flat_map(|slot| slot.value.iter().map(|part| Said::Within(*part))));
         list.extend(one.when.iter().flat_map(|slot| slot.value.clone()));
     }
     let only_parts: Option<Vec<PartOfDay>> = list
         .iter()
         .map(|when| match when {
-            When::Within(part) => Some(*part),
+            Said::Within(part) => Some(*part),
             _ => None,
         })
         .collect();
@@ -370,7 +372,7 @@ pub fn as_parts(value: &Value) -> Option<Parts> {
 }
 
 /// Both times of a stretch, of which one may say the half of the day of the other.
-fn range(a: &mut Arguments, from: TimeOfDay, to: TimeOfDay) -> Option<When> {
+fn range(a: &mut Arguments, from: TimeOfDay, to: TimeOfDay) -> Option<Said> {
     /// Times before this hour, written without a half of the day, are often meant in the afternoon (our choice).
     const EARLY_S: f64 = 8.0 * HOUR_S;
     let (mut first, mut last) = (from.clock, to.clock);
@@ -393,7 +395,7 @@ fn range(a: &mut Arguments, from: TimeOfDay, to: TimeOfDay) -> Option<When> {
             a.fault(a.span, TimeSentenceMessage::ReversedTimes { text: a.said(a.span) });
         }
     }
-    Some(When::Between(TimeOfDay { clock: first, ..from }, TimeOfDay { clock: last, ..to }))
+    Some(Said::Between(TimeOfDay { clock: first, ..from }, TimeOfDay { clock: last, ..to }))
 }
 
 /// The first of the two times that an open one may be, after another.
@@ -403,8 +405,8 @@ pub fn next_after(begin: f64, open: f64) -> f64 {
 
 fn from_to(a: &mut Arguments) -> Option<Value> {
     let times = a.all(as_time);
-    let When::Between(from, to) = range(a, times[0], times[1])? else { return None };
-    parts(Parts { when: a.slot(vec![When::FromTo(from, to)]), ..Parts::default() })
+    let Said::Between(from, to) = range(a, times[0], times[1])? else { return None };
+    parts(Parts { when: a.slot(vec![Said::FromTo(from, to)]), ..Parts::default() })
 }
 
 fn lasts(a: &mut Arguments, spread_s: Option<f64>) -> Option<Value> {
@@ -425,7 +427,7 @@ fn lasts(a: &mut Arguments, spread_s: Option<f64>) -> Option<Value> {
     parts(Parts { lasts: a.slot(lasts), ..Parts::default() })
 }
 
-fn order(a: &mut Arguments, make: impl Fn(Activity, Option<Fuzzy>) -> When) -> Option<Value> {
+fn order(a: &mut Arguments, make: impl Fn(Activity, Option<Fuzzy>) -> Said) -> Option<Value> {
     let event = a.one(as_event)?;
     let gap = a.one(as_range);
     if gap.is_some_and(|gap| gap.to > DAY_S) {

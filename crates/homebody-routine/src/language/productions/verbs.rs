@@ -10,7 +10,7 @@ use crate::language::parts::Parts;
 use crate::language::productions::measures::FASTEST_MPS;
 use crate::language::value::{Act, Range, Subject, Value, Verb};
 use crate::language::words::TextSpan;
-use crate::routine::{Activity, FallEnds, Falling, FallsFrom, Meal, ResidentKind, Shy};
+use crate::routine::{Activity, DayKind, FallEnds, Falling, FallsFrom, Meal, ResidentKind, Shy};
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::Fuzzy;
 
@@ -44,6 +44,8 @@ pub fn named(name: &str) -> Option<Production> {
             let severity = a.number_constants()[0];
             Some(Value::Verb(Verb::Shows(a.name()?, severity)))
         },
+        "condition_times" => |a| Some(Value::Verb(Verb::Shows(a.name()?, a.numbers()[0]))),
+        "stops" => |a| Some(Value::Verb(Verb::Stops(a.numbers()[0]))),
         "shows" => |a| a.one(as_verb).map(Value::Verb),
         "verb" => |a| {
             Some(Value::Verb(match a.constant(0) {
@@ -63,6 +65,7 @@ pub fn named(name: &str) -> Option<Production> {
             let activity = Activity::from_label(a.constant(0))?;
             Some(Value::Verb(Verb::Does(act_of(activity, a.span))))
         },
+        "eats" => |_| Some(Value::Verb(Verb::Eats)),
         "not" => |a| Some(Value::Verb(Verb::Not(a.act()?))),
         "skips" => |a| Some(Value::Verb(Verb::Skips(a.act()?))),
         "forgets_activity" => |a| {
@@ -95,15 +98,10 @@ pub fn named(name: &str) -> Option<Production> {
             let (low, high) = (range.from * (1.0 - share), range.to * (1.0 + share));
             Some(Value::Verb(Verb::Pace(Fuzzy { low, from: range.from, to: range.to, high })))
         },
-        "sleeps_at" => |a| {
-            let place = a.name()?;
-            let slot = Parts { place: a.slot(place), ..Parts::default() };
-            Some(Value::Verb(Verb::SleepsAt)).filter(|_| slot.place.is_some())
-        },
         "stays" => |a| Some(Value::Verb(Verb::Stays(if a.has("GetUp") { Activity::GetUp } else { Activity::GoToBed }))),
         "lively" => |a| {
-            let very = a.words.iter().any(|word| word.text == "very");
-            Some(Value::Verb(Verb::Lively(a.one(as_kind)?, very)))
+            let very = a.words.iter().any(|word| word.text == "very") || a.has("very");
+            Some(Value::Verb(Verb::Lively(a.one(as_kind).unwrap_or(DayKind::Quiet), very)))
         },
         "differ_much" => |_| Some(Value::Verb(Verb::Differ)),
         "shy" => |a| {
@@ -121,6 +119,13 @@ pub fn named(name: &str) -> Option<Production> {
         "own_words" => |a| Some(Value::Name(a.spoken())),
         "own" => |a| Some(Value::Verb(Verb::Own(a.name()?))),
         "goes" => |_| Some(Value::Verb(Verb::Goes)),
+        "speed_spread" => |a| {
+            let mut numbers = a.numbers();
+            let spread = numbers.pop()?;
+            let (from, to) = (*numbers.first()?, *numbers.last()?);
+            let pace = Fuzzy { low: from - spread, from, to, high: to + spread };
+            Some(Value::Verb(Verb::Pace(pace))).filter(|_| (0.05..=FASTEST_MPS).contains(&from) && to <= FASTEST_MPS)
+        },
         "visited_by" => |a| Some(Value::Verb(Verb::VisitedBy(a.name()?))),
         "visitor_does" => |a| {
             let act = a.act()?;
