@@ -130,7 +130,7 @@ fn days_chance(clause: &Clause) -> HabitChance {
 }
 
 fn names_one_outing(builder: &Builder, clause: &Clause) -> bool {
-    const GENERAL: [&str; 8] = ["apartment", "flat", "home", "house", "building", "out", "outside", "away"];
+    const GENERAL: [&str; 9] = ["", "apartment", "flat", "home", "house", "building", "out", "outside", "away"];
     let (Verb::Does(act) | Verb::Not(act) | Verb::Skips(act)) = &clause.verb else { return false };
     let said = builder.said(act.span);
     act.activity == Activity::Leave && !GENERAL.contains(&said.rsplit(' ').next().unwrap_or_default())

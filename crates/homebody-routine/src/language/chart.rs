@@ -113,8 +113,10 @@ impl<'a> Chart<'a> {
     }
 
     /// All readings of the whole sentence of the cheapest class: without faults, else with faults, else with words left out.
+    /// A heading covers all of its words.
     pub fn readings(&mut self, category: &str) -> Vec<Rc<Item>> {
         let Some(category) = self.grammar.known_category(category) else { return Vec::new() };
+        let heading = self.grammar.known_category("Heading");
         for start in 0..self.words.len() {
             let Some(word) = self.ids[start] else { continue };
             let grammar = self.grammar;
@@ -145,7 +147,8 @@ impl<'a> Chart<'a> {
                 continue;
             }
             known.push(item.clone());
-            if key == whole {
+            let is_heading = Some(key.0) == heading && (key.1, key.2) == (whole.1, whole.2) && item.skipped == 0;
+            if key == whole || is_heading {
                 class = match cost {
                     0..FAULT_COST => FAULT_COST - 1,
                     FAULT_COST..SKIP_COST => cost,
@@ -155,7 +158,10 @@ impl<'a> Chart<'a> {
             self.by_start[item.start as usize].push(item.clone());
             self.extend(&item);
         }
-        self.known.get(&whole).cloned().unwrap_or_default()
+        let mut found = self.known.get(&whole).cloned().unwrap_or_default();
+        let headings = heading.and_then(|heading| self.known.get(&(heading, whole.1, whole.2)));
+        found.extend(headings.into_iter().flatten().filter(|item| item.skipped == 0).cloned());
+        found
     }
 
     /// All phrases of a category.

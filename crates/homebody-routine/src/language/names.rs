@@ -60,6 +60,11 @@ impl HomeNames {
         all.filter(|(_, sort, _)| sorts.contains(sort)).map(|(_, _, name)| name.as_str())
     }
 
+    /// Whether a name has the word.
+    pub fn is_word(&self, word: &str) -> bool {
+        self.names.values().flatten().any(|(words, ..)| words.iter().any(|one| one == word))
+    }
+
     /// The names that begin at a word: their lengths in words, and what they name.
     pub fn at<'n>(&'n self, words: &[SentenceWord], at: usize) -> Vec<(usize, Sort, &'n str)> {
         let word = |ahead: usize| words.get(at + ahead).map_or("", |word| word.text.as_str());

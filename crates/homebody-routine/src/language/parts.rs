@@ -92,6 +92,8 @@ parts! {
     place: String, Place, "both say where";
     measure: Measure, Measure, "both say how it changes";
     fall_from: FallsFrom, Fall, "both say how she falls";
+    /// To the floor, or there.
+    floor: (), Fall, "both say how she falls";
     slowly: (), Fall, "both say how she falls";
     fall_ends: (FallEnds, Option<String>), Fall, "both say what follows the fall";
     mostly: PartOfDay, Fall, "both say at which time of the day";

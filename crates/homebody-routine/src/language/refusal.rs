@@ -7,6 +7,8 @@ use super::names::{HomeNames, Sort, is_determiner};
 use super::productions::said;
 use super::sentence::{Tokens, nearest_verb, span_of};
 use super::words::{SentenceWord, TextSpan, Token};
+use crate::canonical;
+use crate::routine::Routine;
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Advice, Diagnostic};
 
@@ -22,11 +24,12 @@ const WHERE: [&str; 6] = ["in", "on", "at", "by", "near", "beside"];
 type Faults = Vec<(TextSpan, Diagnostic)>;
 
 /// The words that the best readings leave out.
-pub fn left_out(names: &HomeNames, context: Context, tokens: &Tokens, skipped: &[u64]) -> Faults {
-    let first = skipped[0];
+/// Each with its number of other problems.
+pub fn left_out(names: &HomeNames, context: Context, tokens: &Tokens, skipped: &[(u64, usize)]) -> Faults {
+    let first = skipped[0].0;
     let least = first.count_ones();
     let mut offers: Vec<String> = Vec::new();
-    for skipped in skipped.iter().filter(|skipped| skipped.count_ones() == least) {
+    for (skipped, _) in skipped.iter().filter(|(skipped, faults)| skipped.count_ones() == least && *faults == 0) {
         if let Some(offer) = offer(names, context, tokens, *skipped)
             && !offers.contains(&offer)
             && offers.len() < MOST_OFFERS
@@ -59,7 +62,7 @@ fn uncovered(names: &HomeNames, context: Context, words: &[SentenceWord], offers
         return (span, WordMessage::UnknownPlaceOrTime { text, help }.into());
     }
     let near = match words {
-        [word] if names.lexicon.grammar.known_word(&word.text).is_none() => {
+        [word] if word.text.starts_with(char::is_alphabetic) && names.lexicon.grammar.known_word(&word.text).is_none() => {
             nearest(&word.text, names.lexicon.grammar.all_words())
         }
         _ => None,
@@ -139,18 +142,7 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
         let doing = &words[verb..stop.unwrap_or(words.len())];
         let span = span_of(doing);
         let spoken = said(text, span).to_lowercase();
-        let help = match nearest(&spoken, super::activities::all_phrases().iter().map(String::as_str)) {
-            Some(near) => Some(Advice::meant(near)),
-            None => match nearest_verb(names, &doing[0].text) {
-                Some(near) if names.lexicon.grammar.known_word(&doing[0].text).is_none() => Some(Advice::meant(near)),
-                _ => Some(
-                    format!(
-                        "a new activity needs a place and a duration: \"she {spoken} in the armchair for 20 minutes\""
-                    )
-                    .into(),
-                ),
-            },
-        };
+        let help = help_for(names, doing, &spoken);
         return vec![(span, WordMessage::UnknownVerb { text: spoken, help }.into())];
     }
     if subject.is_some() {
@@ -163,9 +155,44 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
     vec![(whole, WordMessage::NotAPerson { text: said(text, whole) }.into())]
 }
 
+/// The nearest words for what somebody does, or what else the sentence needs.
+fn help_for(names: &HomeNames, doing: &[SentenceWord], spoken: &str) -> Option<Advice> {
+    const FEW: usize = 4;
+    let grammar = &names.lexicon.grammar;
+    let is_known = |word: &str| grammar.known_word(word).is_some() || is_determiner(word) || names.is_word(word);
+    if let Some(slip) = doing.iter().find(|word| word.token == Token::Word && !is_known(&word.text)) {
+        let all = [Sort::Place, Sort::Room, Sort::Thing, Sort::Condition];
+        let near = nearest(&slip.text, names.of(&all));
+        let near = near.or_else(|| nearest(&slip.text, grammar.all_words().filter(|word| word.len() > 3)));
+        if let Some(near) = near {
+            return Some(Advice::meant(&spoken.replace(&slip.text, near)));
+        }
+    }
+    let verb = doing[0].text.as_str();
+    if ["goes", "walks", "drives", "visits"].contains(&verb) {
+        return Some("for what is outside, write \"she goes out at 10:00 for 2 hours\"".into());
+    }
+    let begins = format!("{verb} ");
+    let known = super::activities::all_phrases().iter().filter(|phrase| phrase.starts_with(&begins));
+    let quoted: Vec<String> = known.take(FEW).map(|phrase| format!("{phrase:?}")).collect();
+    if !quoted.is_empty() {
+        return Some(format!("known activities are {}, ...", quoted.join(", ")).into());
+    }
+    Some(format!("a new activity needs a place and a duration: \"she {spoken} in the armchair for 20 minutes\"").into())
+}
+
+/// Both meanings as sentences.
 pub fn two_meanings(first: &Built, second: &Built) -> Diagnostic {
-    let _ = (first, second);
-    SentenceMessage::TwoMeanings { first: String::new(), second: String::new() }.into()
+    let printed = |built: &Built| {
+        let routine = Routine {
+            habits: built.habits.iter().map(|(habit, _)| habit.clone()).collect(),
+            rules: built.rules.iter().map(|(rule, ..)| rule.clone()).collect(),
+            changes: built.changes.clone(),
+            ..Routine::default()
+        };
+        canonical::sentences(&routine).into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(" ")
+    };
+    SentenceMessage::TwoMeanings { first: printed(first), second: printed(second) }.into()
 }
 
 fn known_or_nearest<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<Advice> {

@@ -101,12 +101,8 @@ pub fn read(names: &HomeNames, context: Context, words: &[SentenceWord], is_inde
         return Reading::Refused(refusal::without_reading(names, context, &chart));
     };
     if item.skipped != 0 {
-        return Reading::Refused(refusal::left_out(
-            names,
-            context,
-            &tokens,
-            &best.iter().map(|(_, _, item, _)| item.skipped).collect::<Vec<_>>(),
-        ));
+        let skipped: Vec<(u64, usize)> = best.iter().map(|(faults, _, item, _)| (item.skipped, *faults)).collect();
+        return Reading::Refused(refusal::left_out(names, context, &tokens, &skipped));
     }
     if *faults > 0 {
         let mut all: Vec<(TextSpan, Diagnostic)> =
@@ -156,6 +152,9 @@ fn chart<'a>(names: &'a HomeNames, text: &'a str, tokens: &'a Tokens, repairs: b
                 chart.give("DATE", at, at + 1, Value::Moment(date, 1), 0);
             }
             Token::Comma => chart.give("SLIP", at, at + 1, Value::Unit, 0),
+            Token::Word if word.text.starts_with(|c: char| c.is_ascii_digit()) => {
+                chart.give("SLIP", at, at + 1, Value::Unit, 0)
+            }
             Token::Word => word_of(&mut chart, names, text, words, at),
         }
         for (length, sort, name) in names.at(words, at) {

@@ -14,6 +14,8 @@ use homebody_core::fuzzy::{Fuzzy, Quantifier};
 /// Largest number of activities in a sequence. More need several sentences.
 pub const MOST_CLAUSES: usize = 12;
 
+const PREPOSITIONS: [&str; 6] = ["from", "every", "each", "twice", "once", "except"];
+
 pub fn named(name: &str) -> Option<Production> {
     Some(match name {
         "and_parts" => |a| {
@@ -49,6 +51,11 @@ pub fn named(name: &str) -> Option<Production> {
             let more = a.all(as_parts);
             let mut clauses = a.one(as_clauses)?;
             let (_, last) = clauses.last()?.clone();
+            // "Every third Monday and Friday" leaves open which Fridays.
+            let begins = |kid: &super::Kid| a.words.iter().find(|word| word.span.start == kid.span.start);
+            if a.kids[1..].iter().any(|kid| begins(kid).is_some_and(|word| word.text.len() > 2 && !PREPOSITIONS.contains(&word.text.as_str()) && as_parts(&kid.value).is_some_and(|parts| parts.weekdays.is_some()))) {
+                return None;
+            }
             if clauses.len() + more.len() > MOST_CLAUSES || more.iter().any(|one| one.is_empty() || one.place.is_some())
             {
                 return None;
@@ -170,7 +177,7 @@ fn clause(a: &mut Arguments, then: Option<TextSpan>) -> Option<Value> {
     }
     let all = merged(a, &before, &behind);
     let is_visitor = matches!(subject, Some(Subject::Visitor(_)));
-    if !fits(subject.as_ref(), &verb) {
+    if !(is_visitor && matches!(verb, Verb::Does(_)) || fits(subject.as_ref(), &verb)) {
         return None;
     }
     // The person is on the phone or out, whoever takes part.
@@ -187,9 +194,10 @@ fn fits(subject: Option<&Subject>, verb: &Verb) -> bool {
     let of_body = matches!(verb, Verb::Vary | Verb::Differ | Verb::Rises(_));
     match (subject, verb) {
         (None, _) => true,
+        (Some(Subject::Stranger(_)), Verb::Visits) => true,
         (Some(Subject::Person | Subject::Stranger(_)), Verb::Visits | Verb::Helps(..)) => false,
         (Some(Subject::Person | Subject::Stranger(_)), _) => !of_body,
-        (Some(Subject::Visitor(_)), verb) => matches!(verb, Verb::Visits | Verb::Helps(..) | Verb::Does(_)),
+        (Some(Subject::Visitor(_)), verb) => matches!(verb, Verb::Visits | Verb::Helps(..)),
         (Some(Subject::Hours | Subject::Days), verb) => matches!(verb, Verb::Vary | Verb::Differ),
         (Some(Subject::Pulse | Subject::Breathing), verb) => matches!(verb, Verb::Rises(_) | Verb::Is),
     }

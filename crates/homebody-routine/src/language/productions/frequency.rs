@@ -29,9 +29,13 @@ pub fn named(name: &str) -> Option<Production> {
             Some(Value::DayNoun(a.one(as_weekdays), part))
         },
         "often" => |a| {
+            const ONE: [&str; 5] = ["day", "night", "morning", "afternoon", "evening"];
             let chance = a.one(as_chance)?;
-            // "Every day", "most nights": without days the quantifier needs none.
-            on_days(a, chance)
+            // "All day" is a stretch of it.
+            let is_stretch = a.words.len() > 1
+                && !a.words.iter().any(|word| ["every", "each"].contains(&word.text.as_str()))
+                && ONE.contains(&a.words[a.words.len() - 1].text.as_str());
+            if is_stretch { None } else { on_days(a, chance) }
         },
         "every_parts" => |a| {
             let list = a.all(as_part).concat();

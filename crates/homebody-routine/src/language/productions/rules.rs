@@ -31,15 +31,15 @@ pub fn named(name: &str) -> Option<Production> {
             let at = closed(a)?[0];
             state(RuleTrigger::Between(at, DAY_S))
         },
-        "trigger_for" => |a| {
-            let (trigger, _) = a.one(as_trigger)?;
+        "trigger_for" | "follows_for" => |a| {
+            let trigger = a.one(as_trigger).map_or(RuleTrigger::Follows, |(trigger, _)| trigger);
             let range = a.one(as_range)?;
             let lasts = duration(range);
             if range.to > DAY_S {
-                let span = a.kids[1].span;
+                let span = a.kids[a.kids.len() - 1].span;
                 a.fault(span, TimeSentenceMessage::LongerThanADay { text: a.said(span) });
             } else if range.from <= 0.0 {
-                let span = a.kids[1].span;
+                let span = a.kids[a.kids.len() - 1].span;
                 a.fault(span, RuleSentenceMessage::Always { text: a.said(span) });
             }
             Some(Value::Trigger(trigger, Some(lasts)))

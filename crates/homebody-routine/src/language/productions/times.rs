@@ -31,24 +31,16 @@ pub fn named(name: &str) -> Option<Production> {
         "digits" => digits,
         "no_time" => |a| {
             no_time(a);
-            Some(Value::Time(TimeOfDay {
-                clock: Clock { s: HALF_DAY_S, open: false, half: true, span: a.span },
-                spread_s: 0.0,
-            }))
+            Some(Value::Time(TimeOfDay { clock: slip(a), spread_s: 0.0 }))
         },
         "odd_time" => |a| {
             let text = &a.words[0].text;
-            (matches!(text.len(), 3 | 4) && meant(text).is_some()).then_some(())?;
+            let is_dotted = text.contains('.') && dotted(text).is_none();
+            (is_dotted || matches!(text.len(), 3 | 4) && !text.contains('.') && meant(text).is_some()).then_some(())?;
             no_time(a);
-            let clock = Clock { s: HALF_DAY_S, open: false, half: true, span: a.span };
-            Some(Value::Time(TimeOfDay { clock, spread_s: 0.0 }))
+            Some(Value::Time(TimeOfDay { clock: slip(a), spread_s: 0.0 }))
         },
-        "dotted" => |a| {
-            let (hours, minutes) = a.words[0].text.split_once('.')?;
-            let (hours, minutes) =
-                (hours.parse::<f64>().ok()?, minutes.parse::<f64>().ok().filter(|_| minutes.len() == 2)?);
-            (hours < 24.0 && minutes < 60.0).then(|| clock(a, hours * HOUR_S + minutes * 60.0, false))
-        },
+        "dotted" => |a| dotted(&a.words[0].text).map(|s| clock(a, s, false)),
         "four_digits" => four_digits,
         "past" => |a| past(a, 1.0),
         "to" => |a| past(a, -1.0),
@@ -239,6 +231,19 @@ fn digits(a: &mut Arguments) -> Option<Value> {
     Some(clock(a, s, false))
 }
 
+/// "7.30" in seconds since midnight.
+fn dotted(text: &str) -> Option<f64> {
+    let (hours, minutes) = text.split_once('.')?;
+    let (hours, minutes) = (hours.parse::<f64>().ok()?, minutes.parse::<f64>().ok().filter(|_| minutes.len() == 2)?);
+    (hours < 24.0 && minutes < 60.0).then_some(hours * HOUR_S + minutes * 60.0)
+}
+
+/// The time that was probably meant by a slip, so that the rest of the sentence is read.
+fn slip(a: &Arguments) -> Clock {
+    let (hours, minutes) = meant(&a.said(a.span)).unwrap_or((12, 0));
+    Clock { s: f64::from(hours) * HOUR_S + f64::from(minutes) * 60.0, open: false, half: true, span: a.span }
+}
+
 fn four_digits(a: &mut Arguments) -> Option<Value> {
     let text = &a.words[0].text;
     if text.len() != 4
@@ -292,6 +297,10 @@ fn half(a: &mut Arguments) -> Option<Value> {
         // "20:00 in the evening" says it twice.
         let closed = a.one(as_clock).filter(|_| !["am", "pm"].contains(&a.constant(0)));
         match closed {
+            // Midnight "at night" is that of the evening before.
+            Some(closed) if a.constant(0) == "night" && closed.s < HOUR_S => {
+                return Some(Value::Clock(Clock { s: closed.s + DAY_S, half: true, span: a.span, ..closed }));
+            }
             Some(closed) => return Some(Value::Clock(Clock { half: true, span: a.span, ..closed })),
             None => no_time(a),
         }
@@ -411,6 +420,10 @@ fn from_to(a: &mut Arguments) -> Option<Value> {
 
 fn lasts(a: &mut Arguments, spread_s: Option<f64>) -> Option<Value> {
     let (range, span) = (a.one(as_range)?, a.kids[0].span);
+    let is_bare = a.words.first().is_some_and(|word| word.span.start == span.start);
+    if is_bare && range.to > DAY_S {
+        return None;
+    }
     if range.from <= 0.0 {
         a.fault(span, TimeSentenceMessage::NoDuration { text: a.said(span) });
     } else if range.to > MOST_DAYS * DAY_S {

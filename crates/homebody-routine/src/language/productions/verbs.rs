@@ -66,6 +66,10 @@ pub fn named(name: &str) -> Option<Production> {
             Some(Value::Verb(Verb::Does(act_of(activity, a.span))))
         },
         "eats" => |_| Some(Value::Verb(Verb::Eats)),
+        "not_out" => |a| {
+            let act = act_of(Activity::Leave, TextSpan { end: a.span.start, ..a.span });
+            Some(Value::Verb(Verb::Not(act)))
+        },
         "not" => |a| Some(Value::Verb(Verb::Not(a.act()?))),
         "skips" => |a| Some(Value::Verb(Verb::Skips(a.act()?))),
         "forgets_activity" => |a| {
@@ -152,6 +156,7 @@ pub fn named(name: &str) -> Option<Production> {
             let name = a.name()?;
             parts(Parts { place: a.slot(name), ..Parts::default() })
         },
+        "floor" => |a| parts(Parts { floor: a.slot(()), ..Parts::default() }),
         "slowly" => |a| parts(Parts { slowly: a.slot(()), ..Parts::default() }),
         "fall_from" => |a| {
             let from = match a.constant(0) {
