@@ -44,7 +44,7 @@ pub use lexicon::Lexicon;
 use messages::SentenceMessage;
 use names::HomeNames;
 use parts::Parts;
-use sentence::{Reading, read, span_of};
+use sentence::{Budget, Reading, read, span_of};
 use std::ops::Range;
 use words::{Sentence, TextSpan};
 
@@ -91,7 +91,11 @@ struct TextReader<'t> {
     names: HomeNames,
     faults: Faults,
     heading: Option<Heading>,
+    budget: Budget,
 }
+
+/// Steps that a text takes for sentences that are refused (our choice): those of some twenty long ones.
+const MOST_STEPS_OF_REFUSED: usize = 1_500_000;
 
 fn read_text(file: &str, text: &str, known: &KnownNames, is_condition: bool) -> (Routine, Vec<Problem>) {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -106,7 +110,14 @@ fn read_text(file: &str, text: &str, known: &KnownNames, is_condition: bool) -> 
         usual: known.usual.clone(),
     };
     let lines = words::lines(text);
-    let mut reader = TextReader { text, draft, names: HomeNames::new(known), faults: Faults::default(), heading: None };
+    let mut reader = TextReader {
+        text,
+        draft,
+        names: HomeNames::new(known),
+        faults: Faults::default(),
+        heading: None,
+        budget: Budget { left: MOST_STEPS_OF_REFUSED },
+    };
     reader.lines(&lines);
     reader.close();
     check::check(&reader.draft, &mut reader.faults);
@@ -176,7 +187,7 @@ impl TextReader<'_> {
             has_rules: !self.draft.routine.rules.is_empty(),
             rooms: &self.names.rooms,
         };
-        let reading = read(&self.names, context, &sentence.words, sentence.indented);
+        let reading = read(&self.names, context, &sentence.words, sentence.indented, &mut self.budget);
         match reading {
             Reading::Heading(parts) => self.heading = Some(Heading { parts, span, is_used: false }),
             Reading::Meaning(built) => self.add(*built),

@@ -49,6 +49,7 @@ fn spell_out() -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::routine::Meal;
 
     #[test]
     fn what_can_be_said_is_in_the_table_of_activities_and_all_else_there_has_a_reason() {

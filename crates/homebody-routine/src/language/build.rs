@@ -14,8 +14,8 @@ use super::value::{Act, Clause, RuleSaid, Said, Statement, Subject, TimeOfDay, V
 use super::words::TextSpan;
 use super::{calendar, productions};
 use crate::routine::{
-    Activity, Circumstance, Effect, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Phase, PhaseDay,
-    Quote, ResidentKind, Response, RoutineChange, RoutineRule, RuleTrigger, When,
+    Activity, Circumstance, Effect, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Phase,
+    PhaseDay, Quote, ResidentKind, Response, RoutineChange, RoutineRule, RuleTrigger, When,
 };
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
@@ -390,6 +390,7 @@ impl Builder<'_> {
         if matches!(activity, Activity::GetUp | Activity::GoToBed) {
             self.once_a_day(&clause);
         }
+        self.days_of_a_stay(&activity, &parts);
         if let Some(measure) = &parts.measure {
             let (text, reason) =
                 (self.said(measure.span), "the sentence adds an activity, and changes none".to_owned());
@@ -462,6 +463,20 @@ impl Builder<'_> {
                     .filter(|falling| *falling != Falling::default() || matches!(clause.verb, Verb::Falls(_))),
             };
             self.built.habits.push((habit, clause.verb_span));
+        }
+    }
+
+    /// "Visits her sister from Friday to Sunday" may be one stay, or a visit on each of these days.
+    fn days_of_a_stay(&mut self, activity: &Activity, parts: &Parts) {
+        let Some(days) = parts.weekdays.as_ref().filter(|slot| slot.own) else { return };
+        let is_open = parts.when.is_none() && parts.lasts.is_none() && parts.until.is_none() && parts.chance.is_none();
+        if matches!(activity, Activity::Leave | Activity::Visit)
+            && is_open
+            && self.said(days.span).to_lowercase().starts_with("from ")
+        {
+            let (text, span) = (self.said(days.span), days.span);
+            let reason = "it can be one stay or one on each day; name the days, \"on Friday, Saturday and Sunday\", or the length, \"on Friday for 2 days\"";
+            self.fault(span, SentenceMessage::DoesNotFit { text, reason: reason.to_owned() });
         }
     }
 
@@ -570,6 +585,17 @@ impl Builder<'_> {
                 let (text, part_text) = (self.said(time), self.said(part.span));
                 self.fault(time, TimeSentenceMessage::PartOfDay { text, part: one.word().to_string(), part_text });
             }
+        }
+        // "While she watches television in the evening" says both.
+        let follows =
+            matches!(when, HabitTime::After(..) | HabitTime::Before(..) | HabitTime::With(_) | HabitTime::Then);
+        if let (Some(part), Some(said), true) = (&parts.part, &parts.when, follows)
+            && part.own
+            && said.own
+        {
+            let (text, first) = (self.said(said.span), self.said(part.span));
+            let meaning = "both say at which time".to_owned();
+            self.fault(said.span, TimeSentenceMessage::Twice { text, first, meaning });
         }
         if let (Some(lasts), Some(until)) = (&parts.lasts, &parts.until) {
             let (text, other) = (self.said(lasts.span), self.said(until.span));

@@ -74,9 +74,7 @@ fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [S
         (Verb::Vary, Some((Of::Much, by))) => (Effect::Irregular(by), PHASE),
         (Verb::Differ, Some((Of::Much, by))) => (Effect::DaysDiffer(by), PHASE),
         (Verb::SleepsIn, None) => (Effect::SleepsIn, PHASE),
-        (Verb::Lively(kind, very), None) => {
-            (Effect::DaysAre { kind: *kind, very: *very }, PHASE_AND_CHANCE)
-        }
+        (Verb::Lively(kind, very), None) => (Effect::DaysAre { kind: *kind, very: *very }, PHASE_AND_CHANCE),
         (Verb::Breathes, Some((Of::Breaths, by))) => (Effect::Respiration(by), PHASE),
         (Verb::Is, Some((Of::Breaths, by))) if of_body => (Effect::Respiration(by), PHASE),
         (Verb::Is, Some((Of::Beats, by))) if of_body => (Effect::Pulse(by), PHASE),

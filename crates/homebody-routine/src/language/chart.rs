@@ -14,10 +14,8 @@ use std::sync::Arc as Rc;
 
 /// Largest number of words of a sentence (our choice). The words left out are bits of a number.
 pub const MOST_WORDS: usize = 60;
-/// Largest number of phrases of a sentence (our choice), which bounds the time.
-const MOST_ITEMS: usize = 30_000;
-/// Largest number of unfinished phrases of a sentence (our choice).
-const MOST_EDGES: usize = 200_000;
+/// Largest number of steps in which the phrases of a sentence are found (our choice), which bounds the time.
+pub const MOST_STEPS: usize = 100_000;
 
 /// The cost of a contradiction, and of a word left out.
 pub const FAULT_COST: u32 = 100;
@@ -75,7 +73,8 @@ pub struct Chart<'a> {
     waiting: BTreeMap<(u8, Category), Vec<Waiting>>,
     agenda: BinaryHeap<(Reverse<u32>, Reverse<u32>)>,
     made: Vec<Option<Item>>,
-    edges: usize,
+    pub steps: usize,
+    most_steps: usize,
     describing: Option<Category>,
 }
 
@@ -86,12 +85,19 @@ impl<'a> Chart<'a> {
         words: &'a [SentenceWord],
         commas: &'a [bool],
         determiners: &dyn Fn(&str) -> bool,
+        most_steps: usize,
     ) -> Chart<'a> {
+        // A routine is about one person: "he" and "she" in one sentence are two.
+        let pronoun = words.iter().find(|word| is_pronoun(&word.text)).map_or("", |word| &word.text);
+        let known = |word: &SentenceWord| match is_pronoun(&word.text) && word.text != pronoun {
+            true => None,
+            false => grammar.known_word(&word.text),
+        };
         Chart {
             grammar,
             words,
             commas,
-            ids: words.iter().map(|word| grammar.known_word(&word.text)).collect(),
+            ids: words.iter().map(known).collect(),
             determiners: words.iter().map(|word| determiners(&word.text)).collect(),
             text,
             by_start: vec![Vec::new(); words.len() + 1],
@@ -99,7 +105,8 @@ impl<'a> Chart<'a> {
             waiting: BTreeMap::new(),
             agenda: BinaryHeap::new(),
             made: Vec::new(),
-            edges: 0,
+            steps: 0,
+            most_steps,
             describing: grammar.known_category("Describing"),
         }
     }
@@ -136,7 +143,7 @@ impl<'a> Chart<'a> {
         let whole = (category, 0, self.words.len() as u8);
         let mut class = u32::MAX;
         while let Some((Reverse(cost), Reverse(index))) = self.agenda.pop() {
-            if cost > class || self.made.len() > MOST_ITEMS || self.edges > MOST_EDGES {
+            if cost > class || self.steps > self.most_steps {
                 break;
             }
             let Some(item) = self.made[index as usize].take() else { continue };
@@ -207,7 +214,7 @@ impl<'a> Chart<'a> {
     }
 
     fn step(&mut self, edge: Edge) {
-        self.edges += 1;
+        self.steps += 1;
         let Some(element) = self.element(&edge) else { return self.complete(&edge) };
         if element.optional {
             self.step(Edge { dot: edge.dot + 1, ..edge.clone() });
@@ -312,4 +319,8 @@ impl<'a> Chart<'a> {
             _ => TextSpan::default(),
         }
     }
+}
+
+fn is_pronoun(word: &str) -> bool {
+    ["she", "he"].contains(&word)
 }

@@ -6,9 +6,9 @@
 
 use super::grammar::{Before, Comma, Element, Grammar, Make, Rule, Wanted};
 use super::messages::LexiconMessage;
+use super::productions;
 use super::sentence::meaning_of;
 use super::value::Value;
-use super::{productions, words};
 use crate::routine::Activity;
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Excerpt, Problem};

@@ -16,7 +16,6 @@ use homebody_core::problem::Diagnostic;
 use std::sync::Arc;
 
 pub use clauses::unsaid_chance;
-pub use numbers::duration;
 pub use verbs::act_of;
 
 /// Makes a value, or nothing where the words do not mean that.

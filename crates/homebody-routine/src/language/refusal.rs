@@ -5,7 +5,7 @@ use super::chart::Chart;
 use super::messages::{SentenceMessage, WordMessage};
 use super::names::{HomeNames, Sort, is_determiner};
 use super::productions::said;
-use super::sentence::{Tokens, nearest_verb, span_of};
+use super::sentence::{Tokens, span_of};
 use super::words::{SentenceWord, TextSpan, Token};
 use crate::canonical;
 use crate::routine::Routine;
@@ -37,6 +37,13 @@ pub fn left_out(names: &HomeNames, context: Context, tokens: &Tokens, skipped: &
             offers.push(offer);
         }
     }
+    // Without what is denied, the rest is not what was said.
+    if let Some(denial) = (0..tokens.words.len()).find(|at| first & 1 << at != 0 && denies(&tokens.words[*at].text)) {
+        let span = span_of(&tokens.words[denial..]);
+        let help = "to end a new activity, write until when it happens: \"until week 12 she whittles in the armchair for 1 hour\"";
+        let text = said(context.text, span);
+        return vec![(span, WordMessage::NotUnderstood { text, help: Some(help.into()) }.into())];
+    }
     let mut faults = Vec::new();
     let mut at = 0;
     while at < tokens.words.len() {
@@ -62,7 +69,9 @@ fn uncovered(names: &HomeNames, context: Context, words: &[SentenceWord], offers
         return (span, WordMessage::UnknownPlaceOrTime { text, help }.into());
     }
     let near = match words {
-        [word] if word.text.starts_with(char::is_alphabetic) && names.lexicon.grammar.known_word(&word.text).is_none() => {
+        [word]
+            if word.text.starts_with(char::is_alphabetic) && names.lexicon.grammar.known_word(&word.text).is_none() =>
+        {
             nearest(&word.text, names.lexicon.grammar.all_words())
         }
         _ => None,
@@ -98,6 +107,10 @@ fn offer(names: &HomeNames, context: Context, tokens: &Tokens, skipped: u64) -> 
     Some(format!("{capital}{rest}."))
 }
 
+fn denies(word: &str) -> bool {
+    DENIALS.contains(&word) || word.ends_with("n't")
+}
+
 /// Whether a word is a verb, a number, a time, a person or a denial.
 fn matters(names: &HomeNames, text: &str, words: &[SentenceWord], at: usize) -> bool {
     let word = &words[at];
@@ -106,12 +119,7 @@ fn matters(names: &HomeNames, text: &str, words: &[SentenceWord], at: usize) -> 
         at > 0 && text.get(word.span.start..word.span.end).is_some_and(|said| said.starts_with(char::is_uppercase));
     let is_verb = said.ends_with("ing") || said.ends_with("ed") || said.ends_with('s') && !said.ends_with("ss");
     let is_word_of_grammar = grammar.is_closed(said) && !is_determiner(said) && !WHERE.contains(&said);
-    word.token != Token::Word
-        || DENIALS.contains(&said)
-        || said.ends_with("n't")
-        || is_capital
-        || is_verb
-        || is_word_of_grammar
+    word.token != Token::Word || denies(said) || is_capital || is_verb || is_word_of_grammar
 }
 
 /// A sentence of which not even a part is a statement.
@@ -148,7 +156,7 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
     if subject.is_some() {
         return vec![(whole, SentenceMessage::Unfinished.into())];
     }
-    if chart.phrases("Rest").any(|item| item.skipped == 0) {
+    if chart.phrases("Rest").any(|item| item.skipped == 0 && item.start == 0) {
         let help = "write who does it, such as \"she reads\"".to_owned();
         return vec![(span_of(&words[..1.min(words.len())]), WordMessage::NoSubject { help }.into())];
     }
@@ -158,9 +166,12 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
 /// The nearest words for what somebody does, or what else the sentence needs.
 fn help_for(names: &HomeNames, doing: &[SentenceWord], spoken: &str) -> Option<Advice> {
     const FEW: usize = 4;
+    /// In a longer phrase, an unknown word is hardly a slip.
+    const MOST_NEAR: usize = 5;
     let grammar = &names.lexicon.grammar;
     let is_known = |word: &str| grammar.known_word(word).is_some() || is_determiner(word) || names.is_word(word);
-    if let Some(slip) = doing.iter().find(|word| word.token == Token::Word && !is_known(&word.text)) {
+    let slip = doing.iter().find(|word| word.token == Token::Word && !is_known(&word.text));
+    if let Some(slip) = slip.filter(|_| doing.len() <= MOST_NEAR) {
         let all = [Sort::Place, Sort::Room, Sort::Thing, Sort::Condition];
         let near = nearest(&slip.text, names.of(&all));
         let near = near.or_else(|| nearest(&slip.text, grammar.all_words().filter(|word| word.len() > 3)));

@@ -1,7 +1,7 @@
 //! One sentence: its words into the chart, and the best of its readings.
 
 use super::build::{Built, Context, build};
-use super::chart::{Chart, FAULT_COST, Item, MOST_WORDS, SKIP_COST};
+use super::chart::{Chart, FAULT_COST, Item, MOST_STEPS, MOST_WORDS, SKIP_COST};
 use super::lexicon::LexiconWords;
 use super::messages::SentenceMessage;
 use super::names::{HomeNames, Sort, is_determiner};
@@ -81,13 +81,48 @@ pub enum Reading {
     Refused(Vec<(TextSpan, Diagnostic)>),
 }
 
-pub fn read(names: &HomeNames, context: Context, words: &[SentenceWord], is_indented: bool) -> Reading {
+/// The steps that a text may take for sentences that are refused. Beyond them, no words are left out to find offers.
+pub struct Budget {
+    pub left: usize,
+}
+
+/// Steps for a refused sentence of a text that has used up its budget (our choice).
+const FEW_STEPS: usize = 10_000;
+
+pub fn read(
+    names: &HomeNames,
+    context: Context,
+    words: &[SentenceWord],
+    is_indented: bool,
+    budget: &mut Budget,
+) -> Reading {
+    let (reading, steps) = with_steps(names, context, words, is_indented, budget);
+    if let Reading::Refused(_) = &reading {
+        budget.left = budget.left.saturating_sub(steps);
+    }
+    reading
+}
+
+fn with_steps(
+    names: &HomeNames,
+    context: Context,
+    words: &[SentenceWord],
+    is_indented: bool,
+    budget: &Budget,
+) -> (Reading, usize) {
     let tokens = Tokens::new(words);
     let span = span_of(&tokens.words);
     if tokens.words.len() > MOST_WORDS {
-        return Reading::Refused(vec![(span, SentenceMessage::TooManyWords { most: MOST_WORDS }.into())]);
+        return (Reading::Refused(vec![(span, SentenceMessage::TooManyWords { most: MOST_WORDS }.into())]), 0);
     }
-    let mut chart = chart(names, context.text, &tokens, true);
+    let most_steps = if budget.left > 0 { MOST_STEPS } else { FEW_STEPS };
+    let mut chart = chart(names, context.text, &tokens, budget.left > 0, most_steps);
+    let reading = best(names, context, &tokens, &mut chart, is_indented);
+    (reading, chart.steps)
+}
+
+fn best(names: &HomeNames, context: Context, tokens: &Tokens, chart: &mut Chart, is_indented: bool) -> Reading {
+    let span = span_of(&tokens.words);
     let found = chart.readings("Statement");
     let mut best: Vec<(usize, u32, Arc<Item>, Built)> = Vec::new();
     for item in found {
@@ -98,11 +133,11 @@ pub fn read(names: &HomeNames, context: Context, words: &[SentenceWord], is_inde
     }
     best.sort_by_key(|(faults, cost, ..)| (*cost >= SKIP_COST, *faults, *cost));
     let Some((faults, cost, item, built)) = best.first() else {
-        return Reading::Refused(refusal::without_reading(names, context, &chart));
+        return Reading::Refused(refusal::without_reading(names, context, chart));
     };
     if item.skipped != 0 {
         let skipped: Vec<(u64, usize)> = best.iter().map(|(faults, _, item, _)| (item.skipped, *faults)).collect();
-        return Reading::Refused(refusal::left_out(names, context, &tokens, &skipped));
+        return Reading::Refused(refusal::left_out(names, context, tokens, &skipped));
     }
     if *faults > 0 {
         let mut all: Vec<(TextSpan, Diagnostic)> =
@@ -136,10 +171,10 @@ pub fn span_of(words: &[SentenceWord]) -> TextSpan {
     }
 }
 
-fn chart<'a>(names: &'a HomeNames, text: &'a str, tokens: &'a Tokens, repairs: bool) -> Chart<'a> {
+fn chart<'a>(names: &'a HomeNames, text: &'a str, tokens: &'a Tokens, repairs: bool, most_steps: usize) -> Chart<'a> {
     let words = &tokens.words;
     let grammar = &names.lexicon.grammar;
-    let mut chart = Chart::new(grammar, text, words, &tokens.commas, &is_determiner);
+    let mut chart = Chart::new(grammar, text, words, &tokens.commas, &is_determiner, most_steps);
     for (at, word) in words.iter().enumerate() {
         match word.token {
             Token::Number(number) => chart.give("NUMBER", at, at + 1, Value::Number(number), 0),
@@ -207,7 +242,7 @@ fn word_of(chart: &mut Chart, names: &HomeNames, text: &str, words: &[SentenceWo
     }
     let is_known = grammar.known_word(&word.text).is_some();
     chart.give("OPEN", at, at + 1, Value::Unit, 0);
-    if !is_known {
+    if !is_known && !names.is_word(&word.text) {
         chart.give("UNKNOWN", at, at + 1, Value::Unit, 0);
     }
     if at > 0 && is_capital(word) && !is_known {
@@ -243,7 +278,7 @@ pub fn meaning_of(lexicon: &LexiconWords, text: &str) -> Option<Value> {
     let tokens = Tokens::new(&words);
     for category in ["Parts", "Does"] {
         let grammar = &lexicon.grammar;
-        let mut chart = Chart::new(grammar, text, &tokens.words, &tokens.commas, &is_determiner);
+        let mut chart = Chart::new(grammar, text, &tokens.words, &tokens.commas, &is_determiner, MOST_STEPS);
         for (at, word) in tokens.words.iter().enumerate() {
             match word.token {
                 Token::Number(number) => chart.give("NUMBER", at, at + 1, Value::Number(number), 0),

@@ -6,7 +6,7 @@
 
 use super::messages::SentenceMessage;
 use super::parts::{Parts, Slot};
-use super::value::{Chance, Clause, Join, Verb, Said};
+use super::value::{Chance, Clause, Join, Said, Verb};
 use super::words::TextSpan;
 use crate::routine::{Activity, HabitChance};
 use homebody_core::problem::Diagnostic;

@@ -6,7 +6,7 @@ use super::verbs::{act_of, as_verb};
 use super::{Arguments, Production, parts};
 use crate::language::messages::TimeSentenceMessage;
 use crate::language::parts::{Parts, Slot};
-use crate::language::value::{Act, Clause, Join, Measure, Of, Statement, Subject, Value, Verb, Said};
+use crate::language::value::{Act, Clause, Join, Measure, Of, Said, Statement, Subject, Value, Verb};
 use crate::language::words::TextSpan;
 use crate::routine::{Activity, DayKind, HabitChance, PartOfDay};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
@@ -51,9 +51,21 @@ pub fn named(name: &str) -> Option<Production> {
             let more = a.all(as_parts);
             let mut clauses = a.one(as_clauses)?;
             let (_, last) = clauses.last()?.clone();
+            // "On Fridays in July and on Mondays" leaves open whether those are in July.
+            let is_limited =
+                last.behind.months.is_some() || last.behind.from.is_some() || last.behind.until_day.is_some();
+            if is_limited && more.iter().any(|one| one.weekdays.is_some()) {
+                return None;
+            }
             // "Every third Monday and Friday" leaves open which Fridays.
             let begins = |kid: &super::Kid| a.words.iter().find(|word| word.span.start == kid.span.start);
-            if a.kids[1..].iter().any(|kid| begins(kid).is_some_and(|word| word.text.len() > 2 && !PREPOSITIONS.contains(&word.text.as_str()) && as_parts(&kid.value).is_some_and(|parts| parts.weekdays.is_some()))) {
+            if a.kids[1..].iter().any(|kid| {
+                begins(kid).is_some_and(|word| {
+                    word.text.len() > 2
+                        && !PREPOSITIONS.contains(&word.text.as_str())
+                        && as_parts(&kid.value).is_some_and(|parts| parts.weekdays.is_some())
+                })
+            }) {
                 return None;
             }
             if clauses.len() + more.len() > MOST_CLAUSES || more.iter().any(|one| one.is_empty() || one.place.is_some())
@@ -72,7 +84,9 @@ pub fn named(name: &str) -> Option<Production> {
             let (_, last) = clauses.last()?.clone();
             let (noun, parts) = (a.act()?, a.one(as_parts)?);
             // "Takes a tablet in the morning and a statin at night": the same is done.
-            let is_same = matches!(&last.verb, Verb::Does(act) if act.activity == noun.activity);
+            // "Does the laundry and the ironing on Monday" leaves open when the first is done.
+            let is_same =
+                matches!(&last.verb, Verb::Does(act) if act.activity == noun.activity) && !last.parts.is_empty();
             let start = a.kids[1].span.start;
             let again = Clause { parts: parts.clone(), behind: parts, span: TextSpan { start, ..a.span }, ..last };
             clauses.push((Join::Again, again));
@@ -253,6 +267,16 @@ fn join(a: &mut Arguments) -> Option<Value> {
         (_, _, verb) => verb,
     };
     let span = TextSpan { start, ..next.span };
+    // "Comes at noon and makes her lunch" is one visit.
+    if let (Join::And, Some((_, last)), true) = (join, clauses.last_mut(), next.parts.is_empty())
+        && last.verb == Verb::Visits
+        && last.subject == subject
+        && matches!(verb, Verb::Helps(..))
+    {
+        last.verb = verb;
+        last.span = last.span.to(next.span);
+        return Some(Value::Clauses(clauses));
+    }
     clauses.push((join, Clause { subject, verb, parts: Parts { when, ..next.parts }, span, ..next }));
     Some(Value::Clauses(clauses))
 }

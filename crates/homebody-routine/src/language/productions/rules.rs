@@ -6,7 +6,7 @@ use super::{Arguments, Production};
 use crate::language::amounts::DAY_S;
 use crate::language::messages::{RuleSentenceMessage, TimeSentenceMessage};
 use crate::language::parts::Parts;
-use crate::language::value::{Answer, RuleSaid, Statement, TimeOfDay, Value, Said};
+use crate::language::value::{Answer, RuleSaid, Said, Statement, TimeOfDay, Value};
 use crate::routine::{Activity, Circumstance, Lapse, Response, RuleTrigger};
 use homebody_core::fuzzy::Fuzzy;
 

@@ -6,7 +6,7 @@ use crate::language::amounts::DAY_S;
 use crate::language::messages::TimeSentenceMessage;
 use crate::language::parts::Parts;
 use crate::language::times::{ABOUT_TIME_S, HOUR_S, PLAIN_TIME_S, is_of_next_day};
-use crate::language::value::{Clock, TimeOfDay, Value, Said};
+use crate::language::value::{Clock, Said, TimeOfDay, Value};
 use crate::language::words::TextSpan;
 use crate::routine::{Activity, Meal, PartOfDay};
 use homebody_core::fuzzy::Fuzzy;
