@@ -407,6 +407,7 @@ impl Builder<'_> {
                 );
             }
         }
+        let is_fall = activity == Activity::Fall;
         let falling = self.falling(&clause, &activity, &mut parts);
         let phase = self.phase(&parts, clause.span);
         let stay = staying(self, &clause, &activity, &parts, &phase);
@@ -449,7 +450,7 @@ impl Builder<'_> {
                     _ => None,
                 },
                 activity: activity.clone(),
-                place: place.clone(),
+                place: place.clone().filter(|_| parts.place.is_some() || !is_fall),
                 when: When {
                     chance: if inherited_then { HabitChance::ALWAYS } else { chance },
                     days: parts.days(),
@@ -501,8 +502,10 @@ impl Builder<'_> {
         }
         falling.mostly = parts.mostly.as_ref().map(|slot| slot.value);
         // "She usually falls at night" is when it mostly is, and not how often.
-        let is_mostly =
-            |slot: &Slot<super::value::Chance>| slot.own && slot.value.chance.quantifier == Some(Quantifier::Most);
+        let text = self.context.text;
+        let is_mostly = |slot: &Slot<super::value::Chance>| {
+            ["mostly", "usually", "normally"].contains(&said(text, slot.span).to_lowercase().as_str())
+        };
         if falling.mostly.is_none()
             && parts.chance.as_ref().is_some_and(is_mostly)
             && let Some(part) = parts.part.as_ref().filter(|slot| slot.own).map(|slot| slot.value[0])
@@ -516,7 +519,9 @@ impl Builder<'_> {
             self.fault(span, TimeSentenceMessage::TwoTimesOfFall { text });
         }
         // "She falls in bed": out of it.
-        let in_bed = parts.place.as_ref().is_some_and(|slot| slot.value.eq_ignore_ascii_case("bed"));
+        let in_bed = parts.place.as_ref().is_some_and(|slot| {
+            slot.value.eq_ignore_ascii_case("bed") && self.said(slot.span).to_lowercase().starts_with("in ")
+        });
         if in_bed {
             falling.from = FallsFrom::Bed;
             parts.place = None;

@@ -121,7 +121,7 @@ impl Parts {
     /// What is said here, with days and phase of another clause.
     pub fn on_days_of(mut self, other: &Parts) -> Parts {
         let says_days = self.says_weekdays();
-        self.fill(other, true, |name| match name {
+        self.fill(other, false, |name| match name {
             "chance" | "becomes" | "weekdays" | "every" | "of_month" => !says_days,
             "except_days" | "months" | "except_months" | "kind" | "from" | "until_day" | "for_days" | "over"
             | "fading" => true,

@@ -19,6 +19,10 @@ const DENIALS: [&str; 17] = [
     "not", "no", "never", "cannot", "hardly", "barely", "scarcely", "nor", "neither", "only", "unless", "except",
     "without", "instead", "stops", "if", "when",
 ];
+/// Parts of words for times.
+const TIMES: [&str; 14] = [
+    "night", "day", "morn", "even", "noon", "week", "month", "year", "hour", "time", "late", "early", "dawn", "dusk",
+];
 const WHERE: [&str; 6] = ["in", "on", "at", "by", "near", "beside"];
 
 type Faults = Vec<(TextSpan, Diagnostic)>;
@@ -118,8 +122,9 @@ fn matters(names: &HomeNames, text: &str, words: &[SentenceWord], at: usize) -> 
     let is_capital =
         at > 0 && text.get(word.span.start..word.span.end).is_some_and(|said| said.starts_with(char::is_uppercase));
     let is_verb = said.ends_with("ing") || said.ends_with("ed") || said.ends_with('s') && !said.ends_with("ss");
+    let is_time = TIMES.iter().any(|time| said.contains(time));
     let is_word_of_grammar = grammar.is_closed(said) && !is_determiner(said) && !WHERE.contains(&said);
-    word.token != Token::Word || denies(said) || is_capital || is_verb || is_word_of_grammar
+    word.token != Token::Word || is_time || denies(said) || is_capital || is_verb || is_word_of_grammar
 }
 
 /// A sentence of which not even a part is a statement.
@@ -127,6 +132,12 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
     let words = chart.words;
     let whole = span_of(words);
     let text = context.text;
+    let is_visitor = chart.phrases("Visitor").any(|item| item.skipped == 0 && item.start == 0);
+    let doing = chart.phrases("Does").map(|item| chart.span(item.start, item.end)).next();
+    if let (true, Some(span)) = (is_visitor, doing) {
+        let help = "a sentence about a visitor describes a visit: \"her daughter visits on Sunday for 2 hours\"";
+        return vec![(span, WordMessage::NotUnderstood { text: said(text, span), help: Some(help.into()) }.into())];
+    }
     let subject = chart
         .phrases("Subject")
         .filter(|item| item.skipped == 0)
@@ -145,7 +156,9 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
         if verb >= words.len() {
             return vec![(whole, SentenceMessage::Unfinished.into())];
         }
-        let stop = (verb + 1..words.len())
+        // "No longer flies": a denial goes with the verb.
+        let least = if denies(&words[verb].text) || words[verb].text == "does" { verb + 3 } else { verb + 1 };
+        let stop = (least..words.len())
             .find(|at| starts_part(*at) || chart.phrases("Verb").any(|item| item.start as usize == *at));
         let doing = &words[verb..stop.unwrap_or(words.len())];
         let span = span_of(doing);

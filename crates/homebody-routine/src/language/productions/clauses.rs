@@ -1,7 +1,7 @@
 //! Parts, clauses, and how clauses are joined.
 
 use super::days::as_kind;
-use super::times::as_parts;
+use super::times::{as_part, as_parts};
 use super::verbs::{act_of, as_verb};
 use super::{Arguments, Production, parts};
 use crate::language::messages::TimeSentenceMessage;
@@ -38,6 +38,18 @@ pub fn named(name: &str) -> Option<Production> {
             let at_night = all.part.as_ref().is_some_and(|slot| slot.value == [PartOfDay::Night]);
             let clause = plain(a, Subject::Person, Verb::Does(act));
             at_night.then(|| Value::Clause(Box::new(Clause { parts: all, behind: behind.clone(), ..clause })))
+        },
+        // "Usually falls at night": that is when most falls are.
+        "clause_mostly" => |a| {
+            let verb = a.one(as_verb)?;
+            let is_fall = matches!(&verb, Verb::Falls(_)) || matches!(&verb, Verb::Does(act) if act.activity == Activity::Fall);
+            let at = a.kids.iter().position(|kid| matches!(*kid.value, Value::PartOfDay(_)))?;
+            let part = a.one(as_part)?;
+            let mostly = Slot { value: part[0], span: a.kids[at].span, own: true };
+            let behind = Parts { mostly: Some(mostly), ..Parts::default() };
+            let behind = a.one(as_parts).map_or(behind.clone(), |parts| merged(a, &behind, &parts));
+            let clause = plain(a, Subject::Person, verb);
+            is_fall.then(|| Value::Clause(Box::new(Clause { parts: behind.clone(), behind, ..clause })))
         },
         "first_clause" => |a| {
             let clause = a.one(as_clause)?;
