@@ -2,24 +2,27 @@
 
 use super::amounts::{ABOUT_SHARE, DAY_S};
 use super::changes;
-use super::clock::{both_halves, half_of_activity, half_of_part};
 use super::lexicon::LexiconWords;
-use super::messages::{RuleSentenceMessage, SentenceMessage, TimeSentenceMessage, WordMessage};
+use super::messages::{SentenceMessage, TimeSentenceMessage, WordMessage};
 use super::parts::{Parts, Slot, SlotKind};
 use super::productions::said;
 use super::sharing::shared;
 use super::stays::{Stay, staying};
-use super::times::{HOUR_S, is_of_next_day};
-use super::value::{Act, Clause, RuleSaid, Said, Statement, Subject, TimeOfDay, Verb};
+use super::value::{Act, Clause, Said, Statement, Subject, Verb};
 use super::words::TextSpan;
 use super::{calendar, productions};
 use crate::routine::{
-    Activity, Circumstance, Effect, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Phase,
-    PhaseDay, Quote, ResidentKind, Response, RoutineChange, RoutineRule, RuleTrigger, When,
+    Activity, Effect, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Phase, PhaseDay, Quote,
+    ResidentKind, RoutineChange, RoutineRule, When,
 };
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 use homebody_core::problem::Diagnostic;
+use times::spread;
+
+mod falls;
+mod rules;
+mod times;
 
 /// A fact about the person.
 #[derive(Clone, Debug, PartialEq)]
@@ -270,94 +273,6 @@ impl Builder<'_> {
         }
     }
 
-    /// The seconds since midnight of a time; an open one is decided by the part of the day, or by what is done.
-    fn seconds(&mut self, time: TimeOfDay, parts: &Parts, doing: &Activity) -> Fuzzy {
-        let clock = time.clock;
-        let hour = (clock.s / HOUR_S).floor();
-        let by_part = || match parts.part.as_ref()?.value[..] {
-            [part] => half_of_part(part, hour),
-            _ => None,
-        };
-        let late =
-            if clock.open { by_part().or_else(|| half_of_activity(doing, clock.s / HOUR_S)) } else { Some(false) };
-        if late.is_none() {
-            let text = self.said(clock.span);
-            let help = both_halves(&text, hour, clock.s % HOUR_S == 0.0);
-            self.fault(clock.span, TimeSentenceMessage::AmbiguousTime { text, help });
-        }
-        let s = clock.s + if late == Some(true) { DAY_S / 2.0 } else { 0.0 };
-        Fuzzy::around(s, time.spread_s)
-    }
-
-    /// Said, and until when, with times after midnight counted on where they belong to the night before.
-    fn time(&mut self, when: Option<&Said>, parts: &Parts, doing: &Activity) -> (HabitTime, Option<Fuzzy>) {
-        /// Time before the given hour within which a person who gets up by then does so (our choice).
-        const BY_S: f64 = 1_800.0;
-        let at_night = parts.part.as_ref().is_some_and(|slot| slot.value == [PartOfDay::Night]);
-        let is_bed = *doing == Activity::GoToBed;
-        let on_its_day = |at: Fuzzy| {
-            let next = at_night && at.from < 9.0 * HOUR_S || is_bed && at.from < 6.0 * HOUR_S;
-            if next { at.map(|at| at + DAY_S) } else { at }
-        };
-        let (mut when, mut until) = match when {
-            None => match parts.part.as_ref().and_then(|slot| slot.value.first()) {
-                Some(part) => (HabitTime::Within(*part), None),
-                None => (HabitTime::AnyTime, None),
-            },
-            Some(Said::At(time)) => (HabitTime::At(on_its_day(self.seconds(*time, parts, doing))), None),
-            Some(Said::By(time)) => {
-                let at = on_its_day(self.seconds(*time, parts, doing)).from;
-                (HabitTime::At(Fuzzy::between(at - BY_S, at)), None)
-            }
-            Some(Said::Between(from, to)) => {
-                let first = on_its_day(self.seconds(*from, parts, doing)).from;
-                let last = self.end(*to, first, parts, doing).from;
-                (HabitTime::At(Fuzzy::between(first, last)), None)
-            }
-            Some(Said::FromTo(from, to)) => {
-                let first = on_its_day(self.seconds(*from, parts, doing));
-                let last = self.end(*to, first.from, parts, doing);
-                (HabitTime::At(first), Some(last))
-            }
-            Some(Said::Within(part)) => (HabitTime::Within(*part), None),
-            Some(Said::After(activity, gap)) => (HabitTime::After(activity.clone(), *gap), None),
-            Some(Said::Before(activity, gap)) => (HabitTime::Before(activity.clone(), *gap), None),
-            Some(Said::With(activity)) => (HabitTime::With(activity.clone()), None),
-            Some(Said::Then) => (HabitTime::Then, None),
-        };
-        if let Some(Slot { value: Said::At(time), span, .. }) = &parts.until {
-            let begin = match &when {
-                HabitTime::At(at) => Some(at.from),
-                _ => None,
-            };
-            let mut end = match begin {
-                Some(begin) => self.end(*time, begin, parts, doing),
-                None => self.seconds(*time, parts, doing),
-            };
-            if begin.is_some_and(|begin| is_of_next_day(end.from, begin)) {
-                end = end.map(|end| end + DAY_S);
-            }
-            if begin.is_some_and(|begin| end.from <= begin) {
-                let text = self.said(*span);
-                self.fault(*span, TimeSentenceMessage::EndBeforeBegin { text });
-            }
-            until = Some(end);
-        }
-        if let HabitTime::At(at) = &mut when {
-            *at = Fuzzy { ..*at };
-        }
-        (when, until)
-    }
-
-    /// The end of a stretch: an open one is the first time after its beginning.
-    fn end(&mut self, to: TimeOfDay, begin: f64, parts: &Parts, doing: &Activity) -> Fuzzy {
-        if to.clock.open {
-            return Fuzzy::around(next_open(begin, to.clock.s), to.spread_s);
-        }
-        let end = self.seconds(to, parts, doing);
-        if begin >= DAY_S && end.from < begin { end.map(|end| end + DAY_S) } else { end }
-    }
-
     fn habit(&mut self, clause: Clause) {
         let (activity, is_own) = match &clause.verb {
             Verb::Visits => (Activity::Visit, false),
@@ -481,55 +396,6 @@ impl Builder<'_> {
         }
     }
 
-    /// The details of a fall.
-    fn falling(&mut self, clause: &Clause, activity: &Activity, parts: &mut Parts) -> Option<Falling> {
-        if *activity != Activity::Fall {
-            return None;
-        }
-        let mut falling = match clause.verb {
-            Verb::Falls(falling) => falling,
-            _ => Falling::default(),
-        };
-        if let Some(slot) = &parts.fall_from {
-            falling.from = slot.value;
-        }
-        falling.slowly |= parts.slowly.is_some();
-        if let Some(Slot { value: (ends, finder), span, .. }) = &parts.fall_ends {
-            falling.ends = *ends;
-            if let (FallEnds::Found, Some(name)) = (ends, finder) {
-                self.built.finders.push((name.clone(), *span));
-            }
-        }
-        falling.mostly = parts.mostly.as_ref().map(|slot| slot.value);
-        // "She usually falls at night" is when it mostly is, and not how often.
-        let text = self.context.text;
-        let is_mostly = |slot: &Slot<super::value::Chance>| {
-            ["mostly", "usually", "normally"].contains(&said(text, slot.span).to_lowercase().as_str())
-        };
-        if falling.mostly.is_none()
-            && parts.chance.as_ref().is_some_and(is_mostly)
-            && let Some(part) = parts.part.as_ref().filter(|slot| slot.own).map(|slot| slot.value[0])
-        {
-            falling.mostly = Some(part);
-            (parts.chance, parts.part) = (None, None);
-        }
-        let time = parts.when.as_ref().map(|slot| slot.span).or(parts.part.as_ref().map(|slot| slot.span));
-        if let (Some(_), Some(span)) = (falling.mostly, time) {
-            let text = self.said(span);
-            self.fault(span, TimeSentenceMessage::TwoTimesOfFall { text });
-        }
-        // "She falls in bed": out of it.
-        let in_bed = parts.place.as_ref().is_some_and(|slot| {
-            slot.value.eq_ignore_ascii_case("bed") && self.said(slot.span).to_lowercase().starts_with("in ")
-        });
-        if in_bed {
-            falling.from = FallsFrom::Bed;
-            parts.place = None;
-        }
-        let is_plain = falling == Falling::default() && !matches!(clause.verb, Verb::Falls(_));
-        (!is_plain).then_some(falling)
-    }
-
     /// The probability; a rate, such as once a month, is shared by the days that the sentence names.
     fn chance(&mut self, clause: &Clause, parts: &Parts) -> HabitChance {
         let Some(slot) = &parts.chance else { return HabitChance::ALWAYS };
@@ -573,41 +439,6 @@ impl Builder<'_> {
         }
     }
 
-    fn check_times(&mut self, parts: &Parts, when: &HabitTime) {
-        if let (Some(part), HabitTime::At(at)) = (parts.part.as_ref().filter(|part| part.own), when)
-            && let [one] = part.value[..]
-        {
-            let (from, to) = match one {
-                PartOfDay::Morning => (3.0, 12.5),
-                PartOfDay::Noon => (11.0, 14.5),
-                PartOfDay::Afternoon => (11.5, 18.5),
-                PartOfDay::Evening => (16.0, 24.0),
-                PartOfDay::Night => (19.0, 33.0),
-                PartOfDay::Day => (5.0, 22.0),
-            };
-            if at.to < from * HOUR_S || at.from > to * HOUR_S {
-                let time = parts.when.as_ref().map_or(part.span, |slot| slot.span);
-                let (text, part_text) = (self.said(time), self.said(part.span));
-                self.fault(time, TimeSentenceMessage::PartOfDay { text, part: one.word().to_string(), part_text });
-            }
-        }
-        // "While she watches television in the evening" says both.
-        let follows =
-            matches!(when, HabitTime::After(..) | HabitTime::Before(..) | HabitTime::With(_) | HabitTime::Then);
-        if let (Some(part), Some(said), true) = (&parts.part, &parts.when, follows)
-            && part.own
-            && said.own
-        {
-            let (text, first) = (self.said(said.span), self.said(part.span));
-            let meaning = "both say at which time".to_owned();
-            self.fault(said.span, TimeSentenceMessage::Twice { text, first, meaning });
-        }
-        if let (Some(lasts), Some(until)) = (&parts.lasts, &parts.until) {
-            let (text, other) = (self.said(lasts.span), self.said(until.span));
-            self.fault(until.span, TimeSentenceMessage::TwoEnds { text, other });
-        }
-    }
-
     pub fn phase(&mut self, parts: &Parts, span: TextSpan) -> Phase {
         let from = parts.from.as_ref().map(|slot| slot.value);
         if let (Some(over), None, false) = (&parts.over, from, self.context.is_condition) {
@@ -645,105 +476,5 @@ impl Builder<'_> {
         }
         let days = |slot: &Option<Slot<f64>>| slot.as_ref().map_or(0.0, |slot| slot.value);
         Phase { from, over_days: days(&parts.over), until, fading_days: days(&parts.fading) }
-    }
-
-    fn rule(&mut self, front: &Parts, rule: &RuleSaid, span: TextSpan) {
-        const WHY: &str = "a rule starts each time its first part comes true";
-        self.only(front, &[SlotKind::Phase], WHY);
-        if rule.trigger == RuleTrigger::Follows && !self.context.has_rules {
-            self.fault(rule.trigger_span, RuleSentenceMessage::NoRuleBefore);
-        }
-        let mut thing = match &rule.trigger {
-            RuleTrigger::On(thing) | RuleTrigger::Rings(thing) => Some(thing.clone()),
-            _ => None,
-        };
-        let (mut responses, mut parts) = (Vec::new(), Parts::default());
-        for (at, answer) in rule.answers.iter().enumerate() {
-            let allowed: &[SlotKind] = match at {
-                0 => &[SlotKind::Chance, SlotKind::Lasts, SlotKind::Phase, SlotKind::Place],
-                _ => &[SlotKind::Lasts, SlotKind::Place],
-            };
-            if let Some(measure) = &answer.parts.measure {
-                let text = self.said(measure.span);
-                self.fault(measure.span, RuleSentenceMessage::ChangeInRule { text });
-            }
-            self.only(&Parts { measure: None, ..answer.parts.clone() }, allowed, WHY);
-            if at == 0 {
-                parts = answer.parts.clone();
-            }
-            let Some(response) = self.response(&answer.response, &answer.parts, &mut thing, answer.span) else {
-                return;
-            };
-            responses.push(response);
-        }
-        let parts = parts.with_rest_of(front);
-        let phase = self.phase(&parts, span);
-        let chance = parts.chance.as_ref().map_or(HabitChance::ALWAYS, |slot| slot.value.chance);
-        let lasts = rule.lasts.unwrap_or(Fuzzy::exactly(0.0));
-        let mut responses = responses.into_iter();
-        let Some(response) = responses.next() else { return };
-        let only_if: Vec<Circumstance> = rule.only_if.clone();
-        let built = RoutineRule {
-            said: self.quote(span),
-            whenever: rule.trigger.clone(),
-            lasts,
-            only_if,
-            when: When { phase, chance, ..When::default() },
-            response,
-            then: responses.collect(),
-            lapse: rule.lapse,
-        };
-        self.built.rules.push((built, rule.trigger_span, rule.trigger_span));
-    }
-
-    fn response(
-        &mut self,
-        response: &Response,
-        parts: &Parts,
-        thing: &mut Option<String>,
-        span: TextSpan,
-    ) -> Option<Response> {
-        let mut named = |name: &str| match name {
-            "" => thing.clone(),
-            name => {
-                *thing = Some(name.to_owned());
-                Some(name.to_owned())
-            }
-        };
-        let found = match response {
-            Response::Turn { thing, on } => named(thing).map(|thing| Response::Turn { thing, on: *on }),
-            Response::Do { activity, place, .. } => {
-                let place = match place.as_deref() {
-                    Some(place) => Some(named(place)?),
-                    None => parts.place.as_ref().map(|slot| slot.value.clone()),
-                };
-                let lasts = parts.lasts.as_ref().map(|slot| slot.value);
-                Some(Response::Do { activity: activity.clone(), place, lasts })
-            }
-        };
-        if found.is_none() {
-            self.fault(span, RuleSentenceMessage::WhichThing);
-        }
-        found
-    }
-}
-
-fn next_open(begin: f64, open: f64) -> f64 {
-    let half = DAY_S / 2.0;
-    begin + (open - begin).rem_euclid(half)
-}
-
-/// The parts with one time each.
-fn spread(parts: &Parts) -> Vec<(Option<Said>, Parts)> {
-    if let Some(slot) = &parts.when {
-        return slot.value.iter().map(|when| (Some(when.clone()), parts.clone())).collect();
-    }
-    match &parts.part {
-        Some(slot) => slot
-            .value
-            .iter()
-            .map(|part| (None, Parts { part: Some(Slot { value: vec![*part], ..slot.clone() }), ..parts.clone() }))
-            .collect(),
-        None => vec![(None, parts.clone())],
     }
 }
