@@ -103,17 +103,3 @@ fn the_numbers_are_there_for_programs() {
     assert_eq!(json["start"]["least"], 34_800.0);
     assert_eq!(json["lasts"]["mean"], 9_000.0);
 }
-
-#[test]
-fn meals_that_are_late_or_early_are_so_by_their_own_hours() {
-    for (sentence, at) in [
-        ("She has breakfast late.", "start 09:30"),
-        ("She has lunch very early.", "start 11:00"),
-        ("She eats her supper early on Sunday.", "start 17:00"),
-        ("She reads late.", "start 23:30"),
-        ("She has a cup of tea early.", "start 06:30"),
-    ] {
-        let words = row(sentence).in_words;
-        assert!(words.contains(at), "{sentence} {words}");
-    }
-}
