@@ -208,7 +208,7 @@ activities! {
     AIRING "airing": "A small errand: a window opened for air, a look out of it",
         Housework, Household, None, [];
     FETCHING_MAIL "fetching_mail": "Fetching the mail, from the mailbox or from outside the door",
-        Housework, Household, None, [];
+        Housework, Household, around(2.0, 0.4), [FrontDoor];
     FRESHENING_UP "freshening_up": "A small errand to the washbasin: hands, face, hair", Care, Care, None, [];
     LEAVING_HOME "leaving_home": "Putting on a coat and going to the door", Out, Out, None, [Coats, FrontDoor];
     AWAY "away": "Out of the home", Out, Out, around(110.0, 0.5), [Coats, FrontDoor], takes_object: true;
@@ -237,6 +237,7 @@ activities! {
     CARING_FOR_PLANTS "caring_for_plants": "Watering and repotting plants in the home",
         Housework, Household, around(8.0, 0.5), [Sink], help: INSTEAD, takes_object: true;
     BAKING "baking": "Baking bread or cakes", Food, Household, around(50.0, 0.4), [Counter, Stove], help: INSTEAD, takes_object: true;
+    SMOKING "smoking": "Smoking outside the door", Leisure, Other, around(6.0, 0.3), [FrontDoor];
     GARDENING "gardening": "Being in the garden: weeding, mowing, sitting there", Out, Other, around(45.0, 0.5), [Coats, FrontDoor], help: INSTEAD, takes_object: true;
     RESTING_IN_BED "resting_in_bed": "In bed by day, awake", Sleep, Relaxing, around(60.0, 0.5), [Bed];
     GROOMING "grooming": "Caring for hair, nails and skin, and shaving", Care, Care, around(10.0, 0.5), [Washbasin], help: TOGETHER;

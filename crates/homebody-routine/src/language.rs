@@ -1,97 +1,72 @@
 //! The routine language: habits, rules and changes in sentences that a nurse can read aloud.
 //!
-//! In reading order: `words` splits text into sentences of words; a `reader` steps through them and knows the names of the
-//! home; `adverbs` reads times, lengths and frequencies, in any order, and `meaning` evaluates them; the `lexicon` holds the
-//! words of activities. A `clause` combines subject, predicate and adverbs, a `conjunction` joins it with others by "and"
-//! or "or"; `shape` completes notes; `build` makes habits and changes, `rules` makes rules; `sentence` reads clause by
-//! clause into the `draft`; `check` finds contradictions. `faults` collects all problems and reports them together.
+//! In reading order: `words` splits text into sentences of words. The `grammar`, read from `english.grammar`, and the
+//! `lexicon`, read from `english.words`, say which sentences there are; the `chart` finds all readings of a sentence, and the
+//! `productions` make their values, whose `parts` fill slots. `sentence` chooses the reading; `sharing` divides parts among the
+//! clauses; `build`, `changes` and `stays` make habits, changes and rules of them; `refusal` says what is not covered; `check`
+//! finds contradictions. `faults` collects all problems and reports them together.
 
-mod words;
+pub mod activities;
+pub mod amounts;
+mod build;
+mod calendar;
+mod changes;
+mod chart;
+mod check;
+mod clock;
+mod draft;
 mod faults;
-pub(crate) mod messages;
+mod grammar;
 mod known_names;
 pub mod lexicon;
-mod reader;
-pub mod amounts;
-mod calendar;
-mod clock;
-pub mod times;
-mod frequency;
-mod adverbs;
-mod days;
-mod day_kind;
-mod meaning;
-pub mod activities;
-mod measures;
-mod visits;
-mod person_word;
-mod subjects;
-mod predicate;
-mod clause;
-mod falling;
-mod predicates;
-mod indirect;
-mod unknown_word;
-mod draft;
-mod circumstances;
-mod predicate_tail;
-mod absence;
-mod build;
-mod triggers;
-mod rules;
-mod help;
-mod remarks;
-mod set_aside;
-mod modifiers;
+pub(crate) mod messages;
+mod names;
 mod parts;
-mod synonym;
-mod inexact_time;
-mod shape;
-mod conjunction;
-mod simplification;
-mod unknown_name;
-mod day_sentence;
+mod productions;
+mod refusal;
 mod sentence;
-mod single_sentence;
-mod check;
+mod sharing;
+mod stays;
 #[cfg(test)]
 mod tests;
+pub mod times;
+mod value;
+mod words;
 
-use crate::routine::{Quote, Routine};
-use adverbs::Adverbs;
+use crate::routine::{Quote, Routine, RoutinePerson};
+use build::{Built, Context, Fact};
 pub use calendar::LAST_WEEK;
-use draft::RoutineDraft;
+use draft::{RoutineDraft, quote};
 use faults::Faults;
 use homebody_core::problem::Problem;
 pub use known_names::KnownNames;
 pub use lexicon::Lexicon;
 use messages::SentenceMessage;
-use modifiers::skim;
-use reader::{HomeNames, SentenceReader};
-use set_aside::set_aside;
+use names::HomeNames;
+use parts::Parts;
+use sentence::{Budget, Reading, read, span_of};
 use std::ops::Range;
-use words::{Sentence, SentenceWord, TextSpan};
+use words::{Sentence, TextSpan};
 
 /// Largest length of a line.
 pub const LONGEST_LINE: usize = 2_000;
-/// Number of problems of a text after which no meanings of sentences are searched for, because this takes time (our
-/// choice).
-const MOST_MENDED: usize = 10;
-
-/// Largest number of words of a text that are read freely if they are not understood as written, because this takes
-/// time (our choice).
-const MOST_FREE_WORDS: usize = 600;
 
 /// Largest number of sentences.
 pub const MOST_SENTENCES: usize = 2_000;
 
+/// The mark of a sentence that is kept and has no effect.
+const NOTE: &str = "note:";
+
+/// The words for the severity of a condition, from mild to severe.
+const SEVERITIES: &str = "mild|slight|light|moderate|severe|serious|strong";
+
 pub fn routine(file: &str, text: &str, known: &KnownNames) -> (Routine, Vec<Problem>) {
-    read(file, text, known, false)
+    read_text(file, text, known, false)
 }
 
 pub fn condition(file: &str, text: &str, known: &KnownNames) -> (Routine, Vec<Problem>) {
     let known = KnownNames { person: None, ..known.clone() };
-    read(file, text, &known, true)
+    read_text(file, text, &known, true)
 }
 
 pub fn place(said: &Quote, text: &str) -> Range<usize> {
@@ -101,18 +76,30 @@ pub fn place(said: &Quote, text: &str) -> Range<usize> {
 }
 
 pub fn severities() -> impl Iterator<Item = &'static str> + Clone {
-    predicates::SEVERITIES.iter().flat_map(|(words, _)| words.split('|'))
+    SEVERITIES.split('|')
 }
 
 struct Heading {
-    adverbs: Adverbs,
+    parts: Parts,
     span: TextSpan,
     is_used: bool,
 }
 
-fn read(file: &str, text: &str, known: &KnownNames, is_condition: bool) -> (Routine, Vec<Problem>) {
+struct TextReader<'t> {
+    text: &'t str,
+    draft: RoutineDraft,
+    names: HomeNames,
+    faults: Faults,
+    heading: Option<Heading>,
+    budget: Budget,
+}
+
+/// Steps that a text takes for sentences that are refused (our choice): those of some twenty long ones.
+const MOST_STEPS_OF_REFUSED: usize = 1_500_000;
+
+fn read_text(file: &str, text: &str, known: &KnownNames, is_condition: bool) -> (Routine, Vec<Problem>) {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut draft = RoutineDraft {
+    let draft = RoutineDraft {
         routine: Routine { file: file.into(), ..Routine::default() },
         is_condition,
         name: None,
@@ -121,166 +108,150 @@ fn read(file: &str, text: &str, known: &KnownNames, is_condition: bool) -> (Rout
         rule_spans: Vec::new(),
         first_date: known.first_date,
         usual: known.usual.clone(),
-        text,
-        lines: words::lines(text),
-        is_trial: false,
-        freely_read: 0,
     };
-    let (mut names, mut faults) = (HomeNames::new(known), Faults::default());
-    let (mut heading, mut count): (Option<Heading>, usize) = (None, 0);
-    for line in draft.lines.clone() {
-        if line.text.chars().nth(LONGEST_LINE).is_some() {
-            let span = TextSpan { start: line.start, end: line.start };
-            faults.add(span, SentenceMessage::LongLine { most: LONGEST_LINE });
-            continue;
-        }
-        // Below a heading, a sentence that says nothing is one too: one that was taken out leaves its full stop.
-        if let Some(heading) = heading.as_mut().filter(|_| line.is_indented() && line.text.trim().starts_with('.')) {
-            heading.is_used = true;
-        }
-        let sentences = words::sentences(line);
-        for (at, sentence) in sentences.iter().enumerate() {
-            count += 1;
-            if count > MOST_SENTENCES {
-                faults.add(sentence.span(), SentenceMessage::TooManySentences { most: MOST_SENTENCES });
-                return finish(draft, faults);
-            }
-            if let Some(before) = at.checked_sub(1).map(|before| &sentences[before]).filter(|_| sentence.goes_on)
-                && let Some(days) = days_in_front(&draft, &names, before)
-                && days_in_front(&draft, &names, sentence).is_none()
-            {
-                let text = text[days.start..days.end].to_owned();
-                faults.add(sentence.span(), SentenceMessage::AfterSemicolon { text });
+    let lines = words::lines(text);
+    let mut reader = TextReader {
+        text,
+        draft,
+        names: HomeNames::new(known),
+        faults: Faults::default(),
+        heading: None,
+        budget: Budget { left: MOST_STEPS_OF_REFUSED },
+    };
+    reader.lines(&lines);
+    reader.close();
+    check::check(&reader.draft, &mut reader.faults);
+    let problems = reader.faults.problems(&reader.draft.routine.file, &lines);
+    (reader.draft.routine, problems)
+}
+
+impl TextReader<'_> {
+    fn lines(&mut self, lines: &[words::TextLine]) {
+        let mut count: usize = 0;
+        for line in lines {
+            if line.text.chars().nth(LONGEST_LINE).is_some() {
+                let span = TextSpan { start: line.start, end: line.start };
+                self.faults.add(span, SentenceMessage::LongLine { most: LONGEST_LINE });
                 continue;
             }
-            one(&mut draft, &mut names, &mut faults, &mut heading, sentence);
-        }
-    }
-    close(&mut faults, heading.take());
-    check::check(&draft, &mut faults);
-    finish(draft, faults)
-}
-
-fn days_in_front(draft: &RoutineDraft, names: &HomeNames, sentence: &Sentence) -> Option<TextSpan> {
-    let mut faults = Faults::of_trial();
-    let words = synonym::reworded(names, draft.text, &sentence.words);
-    let mut reader = SentenceReader { words: &words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
-    let mut adverbs = Adverbs::default();
-    adverbs.all(&mut reader);
-    conjunction::days_span(&adverbs)
-}
-
-fn finish(draft: RoutineDraft, faults: Faults) -> (Routine, Vec<Problem>) {
-    let problems = faults.problems(&draft.routine.file, &draft.lines);
-    (draft.routine, problems)
-}
-
-fn one(
-    draft: &mut RoutineDraft,
-    names: &mut HomeNames,
-    faults: &mut Faults,
-    heading: &mut Option<Heading>,
-    sentence: &Sentence,
-) {
-    if !sentence.indented {
-        close(faults, heading.take());
-    } else if let Some(heading) = heading.as_mut() {
-        heading.is_used = true;
-    } else {
-        faults.add(sentence.span(), SentenceMessage::Indented);
-    }
-    let above = heading.as_ref().map(|heading| &heading.adverbs);
-    let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
-    // Of a text in which nearly nothing is understood nobody asks what is beside the point.
-    let reading = match faults.count() >= MOST_MENDED || draft.freely_read >= MOST_FREE_WORDS {
-        true => None,
-        false => understood(draft, names, &sentence.words),
-    };
-    if !matches!(&reading, Some(Reading::Whole(_, left_out)) if left_out.is_empty()) {
-        draft.freely_read += sentence.words.len();
-    }
-    let (shaped, words) = match reading {
-        Some(Reading::Parts(parts)) => return in_parts(draft, names, faults, (heading, sentence), parts),
-        Some(Reading::Whole(words, left_out)) => {
-            left_out.into_iter().for_each(|span| draft.routine.remarks.push(draft.said(span)));
-            (sentence.words.clone(), words)
-        }
-        None => shape::in_shape(names, draft, &sentence.words),
-    };
-    let mut reader = SentenceReader { words: &words, at: 0, names, faults, text: draft.text, part };
-    let before = reader.faults.count();
-    let Some(adverbs) = sentence::sentence(&mut reader, draft, above) else {
-        simplification::hints(faults, before, names, draft, &shaped);
-        if let Some(name) = draft.name.as_ref().filter(|_| names.person.is_none()) {
-            names.is_about(Some(name));
-        }
-        return;
-    };
-    simplification::hints(faults, before, names, draft, &shaped);
-    let failed = faults.count() > before;
-    if sentence.indented && !failed {
-        faults.add(sentence.span(), SentenceMessage::NothingDone);
-    }
-    if !sentence.indented {
-        *heading = Some(Heading { adverbs, span: sentence.span(), is_used: failed });
-    }
-}
-
-enum Reading {
-    Whole(Vec<SentenceWord>, Vec<TextSpan>),
-    Parts(parts::SentenceParts),
-}
-
-fn understood(draft: &RoutineDraft, names: &HomeNames, words: &[SentenceWord]) -> Option<Reading> {
-    let exactly = |words: &[SentenceWord], leaves_out: bool| {
-        let (shaped, reworded) = shape::in_shape(names, draft, words);
-        if single_sentence::read_alone(names, draft, draft.text, &reworded).is_some() {
-            return Some(Reading::Whole(reworded, Vec::new()));
-        }
-        if let Some(aside) = set_aside(names, draft, &shaped) {
-            return Some(Reading::Whole(synonym::reworded(names, draft.text, &aside.words), aside.left_out));
-        }
-        if let Some(aside) = skim(names, draft, &shaped) {
-            return Some(Reading::Whole(aside.words, aside.left_out));
-        }
-        parts::in_parts(names, draft, words, leaves_out).map(Reading::Parts)
-    };
-    let roughly = |leaves_out: bool| {
-        let inexact_time::Rough { lived, without, told } = inexact_time::roughly(names, draft.text, words)?;
-        Some(match exactly(&lived, leaves_out).or_else(|| exactly(&without?, leaves_out))? {
-            Reading::Whole(words, left_out) => Reading::Whole(words, [left_out, told].concat()),
-            Reading::Parts(parts) => {
-                Reading::Parts(parts::SentenceParts { remarks: [parts.remarks, told].concat(), ..parts })
+            // Below a heading, a sentence that says nothing is one too: one that was taken out leaves its full stop.
+            if let Some(heading) =
+                self.heading.as_mut().filter(|_| line.is_indented() && line.text.trim().starts_with('.'))
+            {
+                heading.is_used = true;
             }
-        })
-    };
-    let read = |leaves_out: bool| exactly(words, leaves_out).or_else(|| roughly(leaves_out));
-    read(false).or_else(|| read(true)).or_else(|| parts::attitude(names, draft, words).map(Reading::Parts))
-}
+            if self.note(line) {
+                continue;
+            }
+            for sentence in words::sentences(*line) {
+                count += 1;
+                if count > MOST_SENTENCES {
+                    self.faults.add(sentence.span(), SentenceMessage::TooManySentences { most: MOST_SENTENCES });
+                    return;
+                }
+                self.sentence(&sentence);
+            }
+        }
+    }
 
-fn in_parts(
-    draft: &mut RoutineDraft,
-    names: &HomeNames,
-    faults: &mut Faults,
-    (heading, sentence): (&mut Option<Heading>, &Sentence),
-    parts: parts::SentenceParts,
-) {
-    for remark in parts.remarks {
-        draft.routine.remarks.push(draft.said(remark));
+    /// Keeps what stands behind "Note:" as it is.
+    fn note(&mut self, line: &words::TextLine) -> bool {
+        let said = line.text.trim_start();
+        let begins = said.get(..NOTE.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(NOTE));
+        let rest = said.get(NOTE.len()..).unwrap_or_default().trim();
+        if begins && !rest.is_empty() {
+            let start = line.start + line.text.find(rest).unwrap_or(0);
+            let span = TextSpan { start, end: start + rest.len() };
+            self.draft.routine.remarks.push(quote(self.text, span));
+        }
+        begins
     }
-    let above = heading.as_ref().map(|heading| &heading.adverbs);
-    let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
-    for words in parts.lived {
-        let mut reader = SentenceReader { words: &words, at: 0, names, faults: &mut *faults, text: draft.text, part };
-        sentence::sentence(&mut reader, draft, above);
-    }
-    if !sentence.indented {
-        *heading = None;
-    }
-}
 
-fn close(faults: &mut Faults, heading: Option<Heading>) {
-    if let Some(heading) = heading.filter(|heading| !heading.is_used) {
-        faults.add(heading.span, SentenceMessage::EmptyHeading);
+    fn sentence(&mut self, sentence: &Sentence) {
+        let span = span_of(&sentence.words);
+        if !sentence.indented {
+            self.close();
+        } else if let Some(heading) = self.heading.as_mut() {
+            heading.is_used = true;
+        } else {
+            self.faults.add(span, SentenceMessage::Indented);
+        }
+        let context = Context {
+            text: self.text,
+            lexicon: &self.names.lexicon,
+            is_condition: self.draft.is_condition,
+            person: self.names.person.as_deref(),
+            first_date: self.draft.first_date,
+            heading: self.heading.as_ref().map(|heading| &heading.parts),
+            has_habits: !self.draft.routine.habits.is_empty(),
+            has_rules: !self.draft.routine.rules.is_empty(),
+            rooms: &self.names.rooms,
+        };
+        let reading = read(&self.names, context, &sentence.words, sentence.indented, &mut self.budget);
+        match reading {
+            Reading::Heading(parts) => self.heading = Some(Heading { parts, span, is_used: false }),
+            Reading::Meaning(built) => self.add(*built),
+            Reading::Refused(faults) => {
+                faults.into_iter().for_each(|(span, message)| self.faults.add(span, message));
+                if !sentence.indented {
+                    self.heading = Some(Heading { parts: Parts::default(), span, is_used: true });
+                }
+            }
+        }
+    }
+
+    fn add(&mut self, built: Built) {
+        if let Some(name) = built.name {
+            self.names.is_about(Some(&name));
+            self.draft.name = Some(name);
+        }
+        for (fact, span, whole) in built.facts {
+            self.fact(fact, span, whole);
+        }
+        for (habit, span) in built.habits {
+            self.draft.routine.habits.push(habit);
+            self.draft.habit_spans.push(span);
+        }
+        self.draft.routine.changes.extend(built.changes);
+        for (rule, trigger, lasts) in built.rules {
+            self.draft.routine.rules.push(rule);
+            self.draft.rule_spans.push((trigger, lasts));
+        }
+        self.draft.finders.extend(built.finders);
+    }
+
+    fn fact(&mut self, fact: Fact, span: TextSpan, whole: TextSpan) {
+        let name = self.draft.name.clone().or_else(|| self.names.person.clone()).unwrap_or_default();
+        let said = quote(self.text, whole);
+        let person = self.draft.routine.person.get_or_insert(RoutinePerson {
+            said: said.clone(),
+            name,
+            kind: crate::routine::ResidentKind::default(),
+            age_years: None,
+            pace_mps: None,
+            age_said: None,
+            pace_said: None,
+        });
+        let again = match fact {
+            Fact::Age(age) => {
+                person.age_years = Some(age);
+                person.age_said.replace(said).is_some()
+            }
+            Fact::Pace(pace) => {
+                person.pace_mps = Some(pace);
+                person.pace_said.replace(said).is_some()
+            }
+            Fact::Kind(kind) => std::mem::replace(&mut person.kind, kind) != crate::routine::ResidentKind::default(),
+        };
+        if again {
+            let text = productions::said(self.text, span);
+            self.faults.add(span, SentenceMessage::SaidBefore { text });
+        }
+    }
+
+    fn close(&mut self) {
+        if let Some(heading) = self.heading.take().filter(|heading| !heading.is_used) {
+            self.faults.add(heading.span, SentenceMessage::EmptyHeading);
+        }
     }
 }

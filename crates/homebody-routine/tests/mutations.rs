@@ -9,6 +9,7 @@
 use crate::home::home;
 use homebody_core::random::Stream;
 use homebody_routine::explain::explain;
+use homebody_routine::language::activities::all_phrases;
 use homebody_routine::language::{condition, routine};
 use std::time::{Duration, Instant};
 
@@ -124,6 +125,21 @@ fn one_half_of_ten_thousand_mutants_is_read_or_refused() {
 #[test]
 fn the_other_half_of_ten_thousand_mutants_is_read_or_refused() {
     read_or_refused(3);
+}
+
+#[test]
+fn words_in_any_order_are_read_or_refused() {
+    const TEXTS: usize = 300;
+    const MOST_WORDS: usize = 58;
+    let (seeds, mut stream) = (seeds().join(" "), Stream::named(4, "mutations"));
+    let mut words: Vec<&str> = seeds.split_whitespace().collect();
+    words.extend(all_phrases().iter().flat_map(|phrase| phrase.split(' ')));
+    for _ in 0..TEXTS {
+        let length = 1 + below(&mut stream, MOST_WORDS);
+        let text: Vec<&str> = (0..length).map(|_| words[below(&mut stream, words.len())].trim_matches('.')).collect();
+        let took = read(&text.join(" "));
+        assert!(took < LONGEST, "{took:?} for {text:?}");
+    }
 }
 
 #[test]

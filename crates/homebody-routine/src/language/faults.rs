@@ -16,21 +16,14 @@ pub struct TextFault {
 
 #[derive(Debug, Default)]
 pub struct Faults {
-    pub is_trial: bool,
     list: Vec<TextFault>,
     more: usize,
 }
 
 impl Faults {
-    pub fn of_trial() -> Faults {
-        Faults { is_trial: true, ..Faults::default() }
-    }
-
     pub fn add(&mut self, span: TextSpan, message: impl Into<Diagnostic>) {
         if self.list.len() < MOST {
-            // The words of a trial are never read.
-            let message = if self.is_trial { Diagnostic::default() } else { message.into() };
-            self.list.push(TextFault { span, message });
+            self.list.push(TextFault { span, message: message.into() });
         } else {
             self.more += 1;
         }
@@ -38,17 +31,6 @@ impl Faults {
 
     pub fn count(&self) -> usize {
         self.list.len() + self.more
-    }
-
-    pub fn forget_since(&mut self, count: usize) {
-        let listed = count.min(self.list.len());
-        self.list.truncate(listed);
-        self.more = count - listed;
-    }
-
-    pub fn since(&mut self, count: usize) -> &mut [TextFault] {
-        let listed = count.min(self.list.len());
-        &mut self.list[listed..]
     }
 
     pub fn problems(mut self, file: &str, lines: &[TextLine]) -> Vec<Problem> {

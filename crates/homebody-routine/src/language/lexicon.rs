@@ -1,17 +1,21 @@
-//! The words of the language: read once from `english.words`, and from the words of a scenario's own.
+//! The lexicon: read once from `english.words`, and from the words of a scenario's own, and compiled into rules of the grammar.
 //!
 //! A file has sections. Those of activities list ways of saying them, those in capitals list words that ways name, other
 //! names of rooms and furniture, verbs without rules, and what is said in other words. `english.words` begins with how
 //! these are written.
 
+use super::grammar::{Before, Comma, Element, Grammar, Make, Rule, Wanted};
 use super::messages::LexiconMessage;
-use super::words::{self, SentenceWord, Token};
+use super::productions;
+use super::sentence::meaning_of;
+use super::value::Value;
 use crate::routine::Activity;
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Excerpt, Problem};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, LazyLock};
 
+const GRAMMAR: &str = include_str!("english.grammar");
 const ENGLISH: &str = include_str!("english.words");
 
 pub const OWN_FILE: &str = "own.words";
@@ -20,13 +24,26 @@ pub const MOST_LINES: usize = 2_000;
 const LONGEST_LINE: usize = 300;
 
 static BUILT_IN: LazyLock<Lexicon> = LazyLock::new(|| {
-    let (words, problems) = LexiconWords::default().and("english.words", ENGLISH);
+    let empty = LexiconWords { grammar: Grammar::read(GRAMMAR), ..LexiconWords::default() };
+    let (words, problems) = empty.and("english.words", ENGLISH);
     debug_assert!(problems.is_empty(), "{problems:?}");
     Lexicon(Arc::new(words))
 });
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone)]
 pub struct Lexicon(Arc<LexiconWords>);
+
+impl PartialEq for Lexicon {
+    fn eq(&self, other: &Lexicon) -> bool {
+        Arc::ptr_eq(&self.0, &other.0) || self.0.lines == other.0.lines
+    }
+}
+
+impl std::fmt::Debug for Lexicon {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "Lexicon of {} lines", self.0.lines.len())
+    }
+}
 
 impl Default for Lexicon {
     fn default() -> Lexicon {
@@ -53,24 +70,19 @@ impl Lexicon {
     }
 }
 
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Default)]
 pub struct LexiconWords {
-    pub ways: Vec<(LexiconPhrase, Activity)>,
-    first: BTreeMap<String, Vec<usize>>,
-    pub nouns: Vec<(LexiconPhrase, Activity)>,
-    pub means: Vec<(LexiconPhrase, String)>,
-    first_of_means: BTreeMap<String, Vec<usize>>,
-    lists: BTreeMap<String, Vec<LexiconEntry>>,
+    pub grammar: Grammar,
+    /// The ways of saying activities, as written.
+    pub ways: Vec<(String, Activity)>,
     names: Vec<(LexiconEntry, Vec<String>)>,
     verbs: BTreeMap<String, String>,
-    past: BTreeMap<String, String>,
-    hints: Vec<(LexiconPhrase, String)>,
-    roughly: Vec<(LexiconPhrase, String)>,
     usual: Vec<(Activity, String)>,
     pub own: BTreeMap<String, OwnActivity>,
     lines: BTreeSet<String>,
 }
 
+/// Words, each with its alternatives.
 type LexiconEntry = Vec<Vec<String>>;
 
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -80,70 +92,25 @@ pub struct OwnActivity {
     pub line: u32,
 }
 
-#[derive(Clone, Debug, PartialEq)]
-pub struct LexiconPhrase {
-    pub pieces: Vec<PhrasePiece>,
-    pub written: String,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub struct PhrasePiece {
-    pub is: PieceKind,
-    pub optional: bool,
-    pub after_others: bool,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub enum PieceKind {
-    Verb(BTreeSet<String>),
-    Word(Vec<String>),
-    List(String),
-    Oneself,
-    Whom,
-    Host,
-    More,
-}
-
 enum Section {
     Activity(Activity),
     List(String),
     Names,
     Verbs,
-    Past,
     Means,
-    Hints,
-    Roughly,
 }
 
+/// The form of the verb at the beginning of a way, as a category of the grammar.
+const FORMS: [&str; 4] = ["Do", "Does", "Doing", "Done"];
+
 impl LexiconWords {
-    pub fn beginning<'a>(&'a self, word: &str) -> impl Iterator<Item = &'a (LexiconPhrase, Activity)> {
-        self.first.get(word).into_iter().flatten().map(|&index| &self.ways[index])
-    }
-
-    pub fn meaning<'a>(&'a self, word: &str) -> impl Iterator<Item = &'a (LexiconPhrase, String)> {
-        self.first_of_means.get(word).into_iter().flatten().map(|&index| &self.means[index])
-    }
-
-    pub fn list<'w>(&self, name: &str, words: impl Fn(usize) -> &'w str) -> Option<usize> {
-        let fits = |entry: &&LexiconEntry| {
-            entry.iter().enumerate().all(|(at, either)| either.iter().any(|one| one == words(at)))
-        };
-        self.lists.get(name)?.iter().filter(fits).map(Vec::len).max()
-    }
-
-    pub fn has_last(&self, name: &str, words: &str) -> bool {
-        let last = words.rsplit(' ').next().unwrap_or_default();
-        self.list(name, |at| if at == 0 { last } else { "" }).is_some()
-    }
-
+    /// Other names of what the home calls by the second words.
     pub fn other_names<'w>(&self, words: impl Fn(usize) -> &'w str) -> Vec<(usize, &[String])> {
         let fits = |entry: &LexiconEntry| {
             entry.iter().enumerate().all(|(at, either)| either.iter().any(|one| one == words(at)))
         };
         let found = self.names.iter().filter(|(entry, _)| fits(entry));
-        let mut found: Vec<(usize, &[String])> = found.map(|(entry, name)| (entry.len(), name.as_slice())).collect();
-        found.sort_by_key(|(length, _)| std::cmp::Reverse(*length));
-        found
+        found.map(|(entry, name)| (entry.len(), name.as_slice())).collect()
     }
 
     pub fn usual(&self, activity: &Activity) -> Option<&str> {
@@ -152,53 +119,6 @@ impl LexiconWords {
 
     pub fn told(&self) -> impl Iterator<Item = &str> {
         self.usual.iter().map(|(_, said)| said.as_str())
-    }
-
-    pub fn participle(&self, verb: &str) -> Option<&str> {
-        self.verbs.get(verb).map(String::as_str)
-    }
-
-    pub fn is_third_person(&self, word: &str) -> bool {
-        const OTHERS: [&str; 3] = ["is", "has", "does"];
-        let ends = word.ends_with('s') && !word.ends_with("ss");
-        let verb = self.list("VERB", |at| if at == 0 { word } else { "" }).is_some();
-        let begins = || self.beginning(word).any(|(way, _)| is_form(way, word));
-        let means = || self.meaning(word).any(|(way, _)| is_form(way, word));
-        verb || OTHERS.contains(&word) || ends && (begins() || means())
-    }
-
-    /// The verb whose form in "-ing" this is, if it is known.
-    pub fn verb_of_gerund(&self, word: &str) -> Option<String> {
-        let stem = word.strip_suffix("ing")?;
-        let candidates = [stem.to_owned(), format!("{stem}e"), undoubled(stem), stem.replace('y', "ie")];
-        candidates.into_iter().find(|verb| gerund(verb) == word && self.is_third_person(&third_person(verb)))
-    }
-
-    /// The verb that stands so behind "has" or "is", if it is known.
-    pub fn verb_of_participle(&self, word: &str) -> Option<String> {
-        if let Some((verb, _)) = self.verbs.iter().find(|(_, form)| *form == word) {
-            return Some(verb.clone());
-        }
-        let stem = word.strip_suffix("ed")?;
-        let with_y = stem.strip_suffix('i').map(|stem| format!("{stem}y")).unwrap_or_default();
-        [stem.to_owned(), format!("{stem}e"), undoubled(stem), with_y].into_iter().find(|verb| regular(verb) == word)
-    }
-
-    pub fn verb_of_past(&self, word: &str) -> Option<String> {
-        let of_list = self.past.get(word).cloned();
-        let of_rule = || {
-            let verb = self.verb_of_participle(word).filter(|verb| word.ends_with("ed") && regular(verb) == word)?;
-            self.is_third_person(&third_person(&verb)).then_some(verb)
-        };
-        of_list.or_else(of_rule)
-    }
-
-    pub fn hinted<'a>(&'a self, word: &'a str) -> impl Iterator<Item = &'a (LexiconPhrase, String)> {
-        self.hints.iter().filter(move |(way, _)| begins_with(way, word))
-    }
-
-    pub fn roughly<'a>(&'a self, word: &'a str) -> impl Iterator<Item = &'a (LexiconPhrase, String)> {
-        self.roughly.iter().filter(move |(way, _)| begins_with(way, word))
     }
 
     pub fn count(&self) -> usize {
@@ -243,7 +163,6 @@ impl LexiconWords {
                 say(LexiconMessage::NoSection);
             }
         }
-        self.sort();
         (self, problems)
     }
 
@@ -254,9 +173,6 @@ impl LexiconWords {
         match name {
             "NAMES" => return Ok(Section::Names),
             "VERBS" => return Ok(Section::Verbs),
-            "PAST" => return Ok(Section::Past),
-            "HINTS" => return Ok(Section::Hints),
-            "ROUGHLY" => return Ok(Section::Roughly),
             "MEANS" => return Ok(Section::Means),
             _ if is_list(name) => return Ok(Section::List(name.to_owned())),
             _ => {}
@@ -295,121 +211,137 @@ impl LexiconWords {
             Section::List(name) => name,
             Section::Names => "name",
             Section::Verbs => "verb",
-            Section::Past => "past",
             Section::Means => "means",
-            Section::Hints => "hint",
-            Section::Roughly => "rough",
         };
         if !self.lines.insert(format!("{sort}: {line}")) {
             return Err(LexiconMessage::SameLine { text: line.to_owned() });
         }
         match section {
-            Section::Activity(activity) => match line.strip_prefix("= ") {
-                Some(noun) => self.nouns.push((self.way(noun)?, activity.clone())),
-                None => self.ways.push((self.way(line)?, activity.clone())),
-            },
-            Section::List(name) => self.lists.entry(name.clone()).or_default().push(entry(line)),
-            Section::Verbs => {}
-            Section::Past => {
-                if let Some((verb, past)) = line.split_once(' ') {
-                    self.past.insert(past.to_owned(), verb.to_owned());
+            Section::Activity(activity) => {
+                let constants = [activity.label().to_owned(), "place".to_owned()];
+                match line.strip_prefix("= ") {
+                    Some(noun) => self.phrase(noun, "Noun", &way(constants))?,
+                    None => {
+                        self.ways.push((line.to_owned(), activity.clone()));
+                        self.way(line, &way(constants))?;
+                    }
                 }
             }
-            Section::Names | Section::Means | Section::Hints | Section::Roughly => {
+            Section::List(name) => {
+                let constant = Make::Constant(Arc::new(Value::Unit));
+                self.phrase(line, name, &constant)?;
+            }
+            Section::Verbs => {}
+            Section::Names | Section::Means => {
                 let Some((said, meant)) = line.split_once("=>") else {
                     return Err(LexiconMessage::NoMeaning { text: line.to_owned() });
                 };
                 let (said, meant) = (said.trim(), meant.trim());
-                match section {
-                    Section::Names => self.names.push((entry(said), meant.split(' ').map(str::to_owned).collect())),
-                    Section::Hints => self.hints.push((self.way(said)?, meant.to_owned())),
-                    Section::Roughly => self.roughly.push((self.way(said)?, meant.to_owned())),
-                    _ => self.means.push((self.way(said)?, meant.to_owned())),
+                if let Section::Names = section {
+                    self.names.push((entry(said), meant.split(' ').map(str::to_owned).collect()));
+                } else {
+                    match meaning_of(self, meant) {
+                        Some(value @ Value::Parts(_)) => self.phrase(said, "Part", &Make::Constant(Arc::new(value)))?,
+                        Some(value) => self.way(said, &Make::Constant(Arc::new(value)))?,
+                        None => return Err(LexiconMessage::NoMeaning { text: line.to_owned() }),
+                    }
                 }
             }
         }
         Ok(())
     }
 
-    fn way(&self, written: &str) -> Result<LexiconPhrase, LexiconMessage> {
-        let pieces: Vec<PhrasePiece> = written.split(' ').map(|piece| self.piece(piece)).collect();
-        match pieces.first().map(|piece| (&piece.is, piece.optional)) {
-            Some((PieceKind::Verb(_) | PieceKind::Word(_), false)) => {
-                Ok(LexiconPhrase { pieces, written: written.to_owned() })
-            }
-            _ => Err(LexiconMessage::NoFirstWord { text: written.to_owned() }),
-        }
-    }
-
-    fn piece(&self, written: &str) -> PhrasePiece {
-        let optional = written.starts_with('[');
-        let inner = written.trim_matches(['[', ']']);
-        let after_others = inner.starts_with('*');
-        let inner = inner.trim_start_matches('*');
-        let is = match inner {
-            "SELF" => PieceKind::Oneself,
-            "WHOM" => PieceKind::Whom,
-            "HOST" => PieceKind::Host,
-            "..." => PieceKind::More,
-            _ if inner.split('|').all(is_list) => {
-                PieceKind::List(inner.split('|').next().unwrap_or_default().to_owned())
-            }
-            _ => match inner.strip_prefix('~') {
-                Some(verbs) => PieceKind::Verb(verbs.split('|').flat_map(|verb| self.forms(verb)).collect()),
-                None => PieceKind::Word(inner.split('|').map(str::to_owned).collect()),
-            },
+    /// A way that begins with a verb, in each of its forms.
+    fn way(&mut self, written: &str, make: &Make) -> Result<(), LexiconMessage> {
+        let (first, rest) = written.split_once(' ').unwrap_or((written, ""));
+        let Some(verbs) = first.strip_prefix('~') else {
+            FORMS.iter().try_for_each(|form| self.phrase(written, form, make))?;
+            return Ok(());
         };
-        PhrasePiece { is, optional: optional || inner == "...", after_others }
-    }
-
-    /// All forms of a verb: "get", "gets", "getting", "got".
-    pub fn forms(&self, verb: &str) -> Vec<String> {
-        if verb == "be" {
-            return ["is", "are", "be", "being", "been"].map(str::to_owned).to_vec();
+        let rest = self.elements(rest);
+        let forms: Vec<[Vec<String>; 4]> = verbs.split('|').map(|verb| self.forms(verb)).collect();
+        for (at, form) in FORMS.iter().enumerate() {
+            let words: Vec<&str> = forms.iter().flat_map(|forms| &forms[at]).map(String::as_str).collect();
+            let wanted = self.grammar.any_of(words);
+            let first = Element { wanted, optional: false, comma: Comma::No, before: Before::Nothing };
+            let elements = std::iter::once(first).chain(rest.iter().cloned()).collect();
+            let category = self.grammar.category(form);
+            self.grammar.add(Rule { category, elements, make: make.clone(), cost: 0 });
         }
-        let participle = self.verbs.get(verb).cloned().unwrap_or_else(|| regular(verb));
-        vec![verb.to_owned(), third_person(verb), gerund(verb), participle]
+        Ok(())
     }
 
-    fn sort(&mut self) {
-        fn index<T>(ways: &[(LexiconPhrase, T)]) -> BTreeMap<String, Vec<usize>> {
-            let mut first: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-            for (at, (way, _)) in ways.iter().enumerate() {
-                match way.pieces.first().map(|piece| &piece.is) {
-                    Some(PieceKind::Verb(forms)) => {
-                        forms.iter().for_each(|word| first.entry(word.clone()).or_default().push(at))
-                    }
-                    Some(PieceKind::Word(either)) => {
-                        either.iter().for_each(|word| first.entry(word.clone()).or_default().push(at))
-                    }
-                    _ => {}
+    fn phrase(&mut self, written: &str, category: &str, make: &Make) -> Result<(), LexiconMessage> {
+        let mut elements = self.elements(written);
+        match elements.first_mut() {
+            Some(first) if !first.optional => {
+                if !written.starts_with('*') {
+                    first.before = Before::Nothing;
                 }
             }
-            first
+            _ => return Err(LexiconMessage::NoFirstWord { text: written.to_owned() }),
         }
-        self.first = index(&self.ways);
-        self.first_of_means = index(&self.means);
+        // Describing words in front of a noun are a rule of their own.
+        if written.starts_with('*') {
+            elements[0].before = Before::Nothing;
+            let describing = self.grammar.category("Describing");
+            let front = Element {
+                wanted: Wanted::Phrase(describing),
+                optional: false,
+                comma: Comma::No,
+                before: Before::Nothing,
+            };
+            let mut described = elements.clone();
+            described[0].before = Before::Describing;
+            described.insert(0, front);
+            let category = self.grammar.category(category);
+            self.grammar.add(Rule { category, elements: described, make: make.clone(), cost: 0 });
+        }
+        let category = self.grammar.category(category);
+        self.grammar.add(Rule { category, elements, make: make.clone(), cost: 0 });
+        Ok(())
+    }
+
+    fn elements(&mut self, written: &str) -> Vec<Element> {
+        written.split_whitespace().map(|piece| self.piece(piece)).collect()
+    }
+
+    fn piece(&mut self, written: &str) -> Element {
+        let optional = written.starts_with('[');
+        let inner = written.trim_matches(['[', ']']);
+        let before = if inner.starts_with('*') { Before::Describing } else { Before::Determiners };
+        let inner = inner.trim_start_matches('*');
+        let wanted = match inner {
+            "SELF" => self.grammar.any_of(["herself", "himself", "themselves", "themself", "itself"]),
+            _ if inner.split('|').all(is_list) => {
+                Wanted::Phrase(self.grammar.category(inner.split('|').next().unwrap_or_default()))
+            }
+            _ => match inner.strip_prefix('~') {
+                Some(verbs) => {
+                    let forms: Vec<String> = verbs.split('|').flat_map(|verb| self.forms(verb).concat()).collect();
+                    self.grammar.any_of(forms.iter().map(String::as_str))
+                }
+                None => self.grammar.any_of(inner.split('|')),
+            },
+        };
+        Element { wanted, optional, comma: Comma::No, before }
+    }
+
+    /// The forms of a verb: "get", "gets", "getting", "got".
+    fn forms(&self, verb: &str) -> [Vec<String>; 4] {
+        let list = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
+        if verb == "be" {
+            return [list(&["be", "are"]), list(&["is", "are"]), list(&["being"]), list(&["been"])];
+        }
+        let participle = self.verbs.get(verb).cloned().unwrap_or_else(|| regular(verb));
+        [list(&[verb]), vec![third_person(verb)], vec![gerund(verb)], vec![participle]]
     }
 }
 
-fn is_form(way: &LexiconPhrase, word: &str) -> bool {
-    matches!(way.pieces.first().map(|piece| &piece.is), Some(PieceKind::Verb(forms)) if forms.contains(word))
-}
-
-fn begins_with(way: &LexiconPhrase, word: &str) -> bool {
-    match way.pieces.first().map(|piece| &piece.is) {
-        Some(PieceKind::Verb(forms)) => forms.contains(word),
-        Some(PieceKind::Word(either)) => either.iter().any(|one| one == word),
-        _ => false,
-    }
-}
-
-/// "sit" of "sitt".
-fn undoubled(stem: &str) -> String {
-    let mut letters = stem.chars().rev();
-    match (letters.next(), letters.next()) {
-        (Some(last), Some(before)) if last == before => stem[..stem.len() - last.len_utf8()].to_owned(),
-        _ => stem.to_owned(),
+fn way(constants: [String; 2]) -> Make {
+    match productions::named("way") {
+        Some(production) => Make::By(production, Arc::new(constants)),
+        None => Make::Same,
     }
 }
 
@@ -423,14 +355,6 @@ fn is_list(name: &str) -> bool {
 
 fn entry(line: &str) -> LexiconEntry {
     line.split(' ').map(|either| either.split('|').map(str::to_owned).collect()).collect()
-}
-
-pub fn words_of(text: &str, at: &SentenceWord) -> Vec<SentenceWord> {
-    let words = words::of_name(text).into_iter();
-    words
-        .map(|word| SentenceWord { span: at.span, ..word })
-        .filter(|word| word.token != Token::Comma || word.text == ",")
-        .collect()
 }
 
 /// "watches" of "watch".

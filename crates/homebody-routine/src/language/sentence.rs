@@ -1,532 +1,298 @@
-//! One sentence: who does what, where, when, and how that changes.
+//! One sentence: its words into the chart, and the best of its readings.
 
-use super::activities::{self, MEALS};
-use super::adverbs::{Adverbs, Slot};
-use super::build;
-use super::calendar;
-use super::clause::{Clause, ClauseJoin, place};
-use super::conjunction;
-use super::day_sentence::says_kinds;
-use super::draft::RoutineDraft;
-use super::help;
-use super::indirect;
-use super::messages::{SentenceMessage, WordMessage};
-use super::person_word::person_called;
-use super::predicate::{self, Predicate};
-use super::predicate_tail::tail;
-use super::predicates;
-use super::reader::{SentenceReader, Sort, begins_adverb, is_determiner};
-use super::remarks;
-use super::rules;
-use super::subjects::{self, SentenceSubject};
-use super::unknown_name::{is_introduced, no_subject, stranger};
-use super::unknown_word;
-use super::words::{TextSpan, Token};
-use crate::routine::{Activity, HabitTime};
+use super::build::{Built, Context, build};
+use super::chart::{Chart, FAULT_COST, Item, MOST_STEPS, MOST_WORDS, SKIP_COST};
+use super::lexicon::LexiconWords;
+use super::messages::SentenceMessage;
+use super::names::{HomeNames, Sort, is_determiner};
+use super::parts::Parts;
+use super::refusal;
+use super::value::{Range, Statement, Value};
+use super::words::{self, SentenceWord, TextSpan, Token};
+use crate::routine::PhaseDay;
+use homebody_core::problem::Diagnostic;
+use std::sync::Arc;
 
-/// Largest number of activities in a sequence. More need several sentences.
-const MOST_CLAUSES: usize = 12;
+/// Largest number of words of an activity that the lexicon does not have (our choice).
+const MOST_OWN_WORDS: usize = 5;
 
-pub fn sentence(reader: &mut SentenceReader, draft: &mut RoutineDraft, heading: Option<&Adverbs>) -> Option<Adverbs> {
-    let (mut adverbs, mut at) = (Adverbs::default(), None);
-    let mut beside = Vec::new();
-    loop {
-        reader.skip_commas();
-        if let Some(why) = reader.attempt(why_in_front) {
-            beside.push(why);
+/// A sentence without its commas.
+pub struct Tokens {
+    pub words: Vec<SentenceWord>,
+    /// Whether a comma stands before each word.
+    pub commas: Vec<bool>,
+}
+
+impl Tokens {
+    pub fn new(words: &[SentenceWord]) -> Tokens {
+        let mut tokens = Tokens { words: Vec::new(), commas: Vec::new() };
+        let mut comma = false;
+        for (at, word) in words.iter().enumerate() {
+            let before = tokens.words.last();
+            let is_glued = |to: Option<&SentenceWord>| to.is_some_and(|to| to.span.start == word.span.end);
+            let digit = |text: &str| text.contains(|c: char| c.is_ascii_digit());
+            let follows = before.is_some_and(|before| before.span.end == word.span.start && digit(&before.text));
+            let is_sign = word.token == Token::Comma;
+            // A slip within a time is one word: "7;40", "7:4o".
+            let joins_digits = is_sign
+                && follows
+                && is_glued(words.get(at + 1))
+                && words.get(at + 1).is_some_and(|next| digit(&next.text));
+            let is_slip = !is_sign
+                && follows
+                && before.is_some_and(|before| before.token == Token::Comma || is_odd(before, word));
+            if joins_digits || is_slip {
+                if let Some(last) = tokens.words.last_mut() {
+                    last.text += &word.text;
+                    last.span.end = word.span.end;
+                    last.token = Token::Comma;
+                }
+                continue;
+            }
+            if is_sign && !["(", ")"].contains(&word.text.as_str()) {
+                comma = true;
+                continue;
+            }
+            tokens.words.push(word.clone());
+            tokens.commas.push(std::mem::take(&mut comma) && tokens.words.len() > 1);
         }
-        // A place goes first, since a room may be named after a part of the day.
-        let here = if at.is_none() { place(reader) } else { None };
-        if here.is_some() {
-            at = here;
-        } else if !adverbs.next(reader) {
-            break;
+        tokens
+    }
+}
+
+/// Whether a word stands right behind a number or a time, and is no unit.
+fn is_odd(before: &SentenceWord, word: &SentenceWord) -> bool {
+    match before.token {
+        Token::Clock(_, minutes) => minutes == u32::MAX || word.token != Token::Word,
+        Token::Number(_) => {
+            word.text.len() == 1 && "ol".contains(&word.text)
+                || word.text.starts_with('h')
+                    && word.text.len() > 1
+                    && word.text[1..].bytes().all(|byte| byte.is_ascii_digit())
         }
+        _ => false,
     }
-    if reader.is_over() && at.is_none() {
-        return Some(adverbs);
+}
+
+/// A sentence that is understood, or its problems.
+pub enum Reading {
+    Heading(Parts),
+    Meaning(Box<Built>),
+    Refused(Vec<(TextSpan, Diagnostic)>),
+}
+
+/// The steps that a text may take for sentences that are refused. Beyond them, no words are left out to find offers.
+pub struct Budget {
+    pub left: usize,
+}
+
+/// Steps for a refused sentence of a text that has used up its budget (our choice).
+const FEW_STEPS: usize = 10_000;
+
+pub fn read(
+    names: &HomeNames,
+    context: Context,
+    words: &[SentenceWord],
+    is_indented: bool,
+    budget: &mut Budget,
+) -> Reading {
+    let (reading, steps) = with_steps(names, context, words, is_indented, budget);
+    if let Reading::Refused(_) = &reading {
+        budget.left = budget.left.saturating_sub(steps);
     }
-    if at.is_none() && says_kinds(reader, draft, adverbs.clone(), heading) {
-        return None;
+    reading
+}
+
+fn with_steps(
+    names: &HomeNames,
+    context: Context,
+    words: &[SentenceWord],
+    is_indented: bool,
+    budget: &Budget,
+) -> (Reading, usize) {
+    let tokens = Tokens::new(words);
+    let span = span_of(&tokens.words);
+    if tokens.words.len() > MOST_WORDS {
+        return (Reading::Refused(vec![(span, SentenceMessage::TooManyWords { most: MOST_WORDS }.into())]), 0);
     }
-    if reader.eat("whenever|when|if") || reader.eat("each|every time") {
-        if let Some((_, span)) = at {
-            reader.fault(span, SentenceMessage::BeforeRule { text: reader.said(span) });
-        }
-        rules::rule(reader, draft, &adverbs);
-        return None;
+    let most_steps = if budget.left > 0 { MOST_STEPS } else { FEW_STEPS };
+    let mut chart = chart(names, context.text, &tokens, budget.left > 0, most_steps);
+    let reading = best(names, context, &tokens, &mut chart, is_indented);
+    (reading, chart.steps)
+}
+
+fn best(names: &HomeNames, context: Context, tokens: &Tokens, chart: &mut Chart, is_indented: bool) -> Reading {
+    let span = span_of(&tokens.words);
+    let found = chart.readings("Statement");
+    let mut best: Vec<(usize, u32, Arc<Item>, Built)> = Vec::new();
+    for item in found {
+        let Value::Statement(statement) = item.value.as_ref() else { continue };
+        let built = build(context, statement, span);
+        let faults = built.faults.len() + item.faults.as_ref().map_or(0, |faults| faults.len());
+        best.push((faults, item.cost, item, built));
     }
-    let from = reader.at;
-    if remarks::of_nobody_or_past(reader) {
-        draft.routine.remarks.push(draft.said(reader.span(0)));
-        return None;
-    }
-    let Some(subject) = subjects::subject(reader).or_else(|| stranger(reader)) else {
-        no_subject(reader);
-        return None;
+    best.sort_by_key(|(faults, cost, ..)| (*cost >= SKIP_COST, *faults, *cost));
+    let Some((faults, cost, item, built)) = best.first() else {
+        return Reading::Refused(refusal::without_reading(names, context, chart));
     };
-    let who = reader.span(from);
-    if let SentenceSubject::Stranger(name) = &subject
-        && !is_introduced(reader, draft, name, who)
+    if item.skipped != 0 {
+        let skipped: Vec<(u64, usize)> = best.iter().map(|(faults, _, item, _)| (item.skipped, *faults)).collect();
+        return Reading::Refused(refusal::left_out(names, context, tokens, &skipped));
+    }
+    if *faults > 0 {
+        let mut all: Vec<(TextSpan, Diagnostic)> =
+            item.faults.iter().flat_map(|faults| faults.iter().cloned()).collect();
+        all.extend(built.faults.iter().cloned());
+        return Reading::Refused(all);
+    }
+    if let Value::Statement(statement) = item.value.as_ref()
+        && let Statement::Heading(parts) = statement.as_ref()
     {
-        return None;
-    }
-    clauses(reader, draft, SentenceStart { subject, who, adverbs, place: at, beside }, heading);
-    None
-}
-
-struct SentenceStart {
-    subject: SentenceSubject,
-    who: TextSpan,
-    adverbs: Adverbs,
-    place: Option<(String, TextSpan)>,
-    beside: Vec<TextSpan>,
-}
-
-/// "The resident", "Margaret", as who does something.
-fn begins_with_person(reader: &mut SentenceReader) -> bool {
-    person_called(reader) || reader.person() == Some(false)
-}
-
-/// "Since the fall", "because of her knees", in front of who does what: a remark.
-fn why_in_front(reader: &mut SentenceReader) -> Option<TextSpan> {
-    const MOST: usize = 14;
-    let from = reader.at;
-    reader.eat("ever");
-    let since = reader.eat("since")
-        && (is_determiner(reader.peek(0))
-            || !reader.ahead(|reader| calendar::moment(reader).is_some() || calendar::months(reader).is_some()))
-        || reader.eat("now that");
-    let after = !since
-        && reader
-            .attempt(|reader| {
-                reader.eat("after her|his|the|a|an").then_some(())?;
-                reader.ahead(|reader| activities::noun(reader).is_none()).then_some(())
-            })
-            .is_some();
-    (since || after || reader.eat("because of") || reader.eat("due|owing to") || reader.eat("despite|following"))
-        .then_some(())?;
-    while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
-        let who =
-            ["she", "he", "they"].contains(&reader.peek(0)) || reader.at > from + 2 && reader.ahead(begins_with_person);
-        if who && reader.at > from + 1 {
-            return Some(reader.span(from));
-        }
-        reader.at += 1;
-    }
-    (reader.at > from && reader.token(0) == Some(Token::Comma)).then(|| reader.span(from))
-}
-
-fn clauses(reader: &mut SentenceReader, draft: &mut RoutineDraft, front: SentenceStart, heading: Option<&Adverbs>) {
-    let SentenceStart { mut subject, mut who, mut adverbs, mut place, mut beside } = front;
-    let (mut start, mut cooked) = (0, None);
-    let (mut follows, mut count): (Option<Adverbs>, usize) = (None, 0);
-    let (mut group, mut joined): (Vec<Clause>, Option<ClauseJoin>) = (Vec::new(), None);
-    loop {
-        let before = group.last();
-        let next = before.and_then(|last| again(reader, last, &mut adverbs));
-        let said = ClauseStart { subject: &subject, who, cooked: cooked.as_ref(), before };
-        let next = next.or_else(|| clause(reader, said, adverbs, place.take(), start));
-        let Some(mut next) = next else { return };
-        next.beside.append(&mut beside);
-        let Some(goes_on) = tail(reader, &mut next) else { return };
-        group.push(next);
-        let Some(clause) = group.last_mut() else { return };
-        clause.span = reader.span(start);
-        if let Some((_, join)) = goes_on {
-            let before = reader.words.iter().map(|word| word.span).rev().filter(|word| word.end <= join.start);
-            let mut before = before.filter(|word| reader.text.get(word.start..word.end) != Some(","));
-            clause.span.end = before.next().map_or(join.start, |word| word.end);
-        }
-        if let Predicate::Does(Activity::Prepare(meal)) = clause.predicate {
-            cooked = Some(meal);
-        }
-        count += 1;
-        if let Some((_, join)) = goes_on.filter(|_| count == MOST_CLAUSES) {
-            return reader.fault(join, SentenceMessage::TooManyActivities { most: MOST_CLAUSES });
-        }
-        adverbs = Adverbs::default();
-        start = reader.at;
-        match goes_on {
-            Some((join @ (ClauseJoin::And | ClauseJoin::Or), span)) => {
-                if joined.is_some_and(|joined| joined != join) {
-                    return reader.fault(span, SentenceMessage::AndOr);
-                }
-                joined = Some(join);
-                let from = reader.at;
-                if let Some(other) = reader.attempt(subjects::subject) {
-                    (subject, who) = (other, reader.span(from));
-                }
-            }
-            _ => {
-                if !finish(reader, draft, &mut group, joined.take(), (&mut follows, heading)) {
-                    return;
-                }
-                let Some((_, then)) = goes_on else { return };
-                adverbs.when = Some(Slot { value: HabitTime::Then, span: then, own: true });
-                start = reader.words.iter().position(|word| word.span.start == then.start).unwrap_or(start);
-                reader.eat("she|he|they|it");
-            }
-        }
-    }
-}
-
-fn finish(
-    reader: &mut SentenceReader,
-    draft: &mut RoutineDraft,
-    group: &mut Vec<Clause>,
-    joined: Option<ClauseJoin>,
-    (follows, heading): (&mut Option<Adverbs>, Option<&Adverbs>),
-) -> bool {
-    conjunction::without_waking(group);
-    conjunction::without_count(group);
-    if let Some(unclear) = conjunction::share(group, joined) {
-        reader.fault(unclear, SentenceMessage::SharedPart { text: reader.said(unclear) });
-        return false;
-    }
-    let first = follows.clone();
-    for clause in group.drain(..) {
-        let own = clause.adverbs.clone();
-        let merged = match (&first, heading) {
-            (Some(first), _) => own.under(&days_of(first)),
-            (None, Some(heading)) => own.under(heading),
-            (None, None) => own,
+        return match is_indented {
+            true => Reading::Refused(vec![(span, SentenceMessage::NothingDone.into())]),
+            false => Reading::Heading(parts.clone()),
         };
-        follows.get_or_insert_with(|| merged.clone());
-        build::build(reader, draft, Clause { adverbs: merged, ..clause });
     }
-    true
-}
-
-struct ClauseStart<'s> {
-    subject: &'s SentenceSubject,
-    who: TextSpan,
-    cooked: Option<&'s crate::routine::Meal>,
-    before: Option<&'s Clause>,
-}
-
-fn clause(
-    reader: &mut SentenceReader,
-    said: ClauseStart,
-    mut adverbs: Adverbs,
-    place: Option<(String, TextSpan)>,
-    start: usize,
-) -> Option<Clause> {
-    let now = |reader: &mut SentenceReader| (reader.eat("now") && reader.peek(0) != "and").then_some(());
-    while reader.eat("also|still|again|only|just|either|both") || reader.attempt(now).is_some() {}
-    adverbs.all(reader);
-    let is_person = *said.subject == SentenceSubject::Person;
-    // "She likes to read and knit": both are liked.
-    let goes_on_liking = said.before.is_some_and(|before| before.tends) && !is_third_person(reader.peek(0));
-    let needs_to = is_person && indirect::needs_to(reader);
-    let tends = is_person && !needs_to && indirect::tends(reader) || goes_on_liking;
-    adverbs.all(reader);
-    let is_who = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Age(_) | Predicate::Remark));
-    let from = reader.at;
-    if is_who && ["a", "an", "the"].contains(&reader.peek(0)) {
-        while reader.token(0) == Some(Token::Word) && !["and", "but", "who"].contains(&reader.peek(0)) {
-            reader.at += 1;
-        }
-        let (predicate, predicate_span) = (Predicate::Remark, reader.span(from));
-        let (span, subject) = (reader.span(start), said.subject.clone());
-        return Some(Clause {
-            span,
-            subject,
-            predicate,
-            predicate_span,
-            place,
-            measure: None,
-            adverbs,
-            tends,
-            again: false,
-            beside: Vec::new(),
-            finder: None,
-        });
-    }
-    let noun = if tends || needs_to { noun_liked(reader) } else { None };
-    let negated = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Not(_)))
-        && !is_third_person(reader.peek(0));
-    let (found, predicate_span) = match noun {
-        Some(noun) => noun,
-        None => predicate(reader, said.subject, said.who, &mut adverbs, said.cooked)?,
-    };
-    let found = match found {
-        // "She does not cook or clean": neither is done.
-        Predicate::Does(activity) if negated => Predicate::Not(activity),
-        Predicate::Own(words) if tends || needs_to => Predicate::Own(activities::in_third_person(&words)),
-        other => other,
-    };
-    // The person is who goes out, or is on the phone, whoever makes them.
-    let does_person = matches!(found, Predicate::Does(_) | Predicate::HelpedBy(..) | Predicate::VisitedBy(_));
-    let subject = if does_person && !is_person { SentenceSubject::Person } else { said.subject.clone() };
-    let beside =
-        if found == Predicate::Visits && !is_visit(reader, predicate_span) { vec![predicate_span] } else { Vec::new() };
-    Some(Clause {
-        span: reader.span(start),
-        subject,
-        predicate: found,
-        predicate_span,
-        place,
-        measure: None,
-        adverbs,
-        tends,
-        again: false,
-        beside,
-        finder: None,
-    })
-}
-
-fn is_visit(reader: &mut SentenceReader, span: TextSpan) -> bool {
-    reader.ahead(|reader| {
-        reader.at = reader.words.iter().position(|word| word.span.start >= span.start).unwrap_or(reader.at);
-        help::visiting(reader).is_some()
-    })
-}
-
-/// "enjoys her crossword": the noun stands for what is done.
-fn noun_liked(reader: &mut SentenceReader) -> Option<(Predicate, TextSpan)> {
-    let from = reader.at;
-    let found = if reader.peek(0).ends_with("ing") { None } else { indirect::noun_with_adjective(reader) };
-    let Some(found) = found else {
-        reader.at = from;
-        return None;
-    };
-    Some((Predicate::Does(found), reader.span(from)))
-}
-
-fn is_third_person(word: &str) -> bool {
-    word.ends_with('s') && !word.ends_with("ss")
-}
-
-fn again(reader: &mut SentenceReader, last: &Clause, adverbs: &mut Adverbs) -> Option<Clause> {
-    let ends = |reader: &SentenceReader| {
-        reader.is_over() || reader.token(0) == Some(Token::Comma) || ["and", "or", "then"].contains(&reader.peek(0))
-    };
-    let _ = reader.attempt(|reader| {
-        reader.eat("again").then_some(())?;
-        reader.ahead(|reader| Adverbs::default().next(reader)).then_some(())
+    let other = best.iter().skip(1).find(|(faults, other, _, other_built)| {
+        *faults == 0 && *other < FAULT_COST && other == cost && !other_built.is_same(built)
     });
-    let from = reader.at;
-    let mut more = Adverbs::default();
-    reader.skip_commas();
-    while more.next(reader) {
-        // "at 7:30, 12:30 and 17:00": each is one more.
-        let is_another = |reader: &mut SentenceReader| {
-            reader.skip_commas();
-            let mut another = Adverbs::default();
-            another.next(reader) && another.when.is_some()
-        };
-        if reader.token(0) == Some(Token::Comma) && more.when.is_some() && reader.ahead(is_another) {
-            break;
+    if let Some((.., other)) = other {
+        let message = refusal::two_meanings(built, other);
+        return Reading::Refused(vec![(span, message)]);
+    }
+    let (_, _, _, built) = best.swap_remove(0);
+    Reading::Meaning(Box::new(built))
+}
+
+pub fn span_of(words: &[SentenceWord]) -> TextSpan {
+    match (words.first(), words.last()) {
+        (Some(first), Some(last)) => first.span.to(last.span),
+        _ => TextSpan::default(),
+    }
+}
+
+fn chart<'a>(names: &'a HomeNames, text: &'a str, tokens: &'a Tokens, repairs: bool, most_steps: usize) -> Chart<'a> {
+    let words = &tokens.words;
+    let grammar = &names.lexicon.grammar;
+    let mut chart = Chart::new(grammar, text, words, &tokens.commas, &is_determiner, most_steps);
+    for (at, word) in words.iter().enumerate() {
+        match word.token {
+            Token::Number(number) => chart.give("NUMBER", at, at + 1, Value::Number(number), 0),
+            Token::Clock(hours, minutes) => {
+                let range = Range { from: f64::from(hours), to: f64::from(minutes), about: false };
+                chart.give("CLOCK", at, at + 1, Value::Range(range), 0);
+            }
+            Token::Date(year, month, day) => {
+                let date = PhaseDay::Date(year as i16, month.min(99) as u8, day.min(99) as u8);
+                chart.give("DATE", at, at + 1, Value::Moment(date, 1), 0);
+            }
+            Token::Comma => chart.give("SLIP", at, at + 1, Value::Unit, 0),
+            Token::Word if word.text.starts_with(|c: char| c.is_ascii_digit()) => {
+                chart.give("SLIP", at, at + 1, Value::Unit, 0)
+            }
+            Token::Word => word_of(&mut chart, names, text, words, at),
         }
-        if !reader.ahead(|reader| {
-            reader.skip_commas();
-            reader.eat("and|or")
-        }) {
-            reader.skip_commas();
+        for (length, sort, name) in names.at(words, at) {
+            let name = Value::Name(name.to_owned());
+            match sort {
+                Sort::Condition => chart.give("CONDITION", at, at + length, name, 0),
+                Sort::Room => {
+                    chart.give("PLACE", at, at + length, name.clone(), 1);
+                    chart.give("ROOM", at, at + length, name, 0);
+                }
+                Sort::Place => chart.give("PLACE", at, at + length, name, 0),
+                Sort::Thing => {
+                    chart.give("PLACE", at, at + length, name.clone(), 2);
+                    chart.give("THING", at, at + length, name, 0);
+                }
+            }
+        }
+        match names.person_at(words, at) {
+            Some((length, true)) => chart.give("OWNER", at, at + length, Value::Unit, 0),
+            Some((length, false)) => chart.give("PERSON", at, at + length, Value::Unit, 0),
+            None => {}
+        }
+        if repairs {
+            chart.give("LEFTOUT", at, at + 1, Value::Unit, SKIP_COST);
         }
     }
-    if reader.at > from {
-        if !ends(reader) {
-            *adverbs = more;
-            return None;
-        }
-        let (says_when, chance) = (more.when.is_some(), more.chance.clone());
-        let says_days = more.weekdays.is_some() || more.every.is_some() || more.of_month.is_some();
-        let mut all = more.under(&last.adverbs);
-        all.chance = if says_days { chance } else { all.chance };
-        if says_when {
-            all.part = None;
-        }
-        return Some(Clause { adverbs: all, again: true, beside: Vec::new(), ..last.clone() });
-    }
-    // Another verb begins something else.
-    if reader.ahead(|reader| activities::activity(reader).is_some()) {
-        return None;
-    }
-    let verb = reader.words.iter().position(|word| word.span.start == last.predicate_span.start)?;
-    let (activity, taken) = (1..=3).find_map(|length| {
-        let before = reader.words.get(verb..verb + length).filter(|_| verb + length <= from)?;
-        let words: Vec<_> = before.iter().chain(reader.words.get(from..)?).cloned().collect();
-        let mut joined = SentenceReader {
-            words: &words,
-            at: 0,
-            names: reader.names,
-            faults: &mut *reader.faults,
-            text: reader.text,
-            part: None,
-        };
-        let activity = activities::activity(&mut joined)?;
-        let taken = joined.at.checked_sub(length).filter(|taken| *taken > 0)?;
-        // "Eats lunch and skips dinner" has another verb.
-        (taken == 1 || !is_third_person(reader.peek(0))).then_some((activity, taken))
-    })?;
-    reader.at = from + taken;
-    let predicate = match &last.predicate {
-        Predicate::Does(_) => Predicate::Does(activity),
-        Predicate::Not(_) => Predicate::Not(activity),
-        Predicate::Helps(_, help) => Predicate::Helps(activity, *help),
-        _ => return None,
+    chart
+}
+
+/// Words that are known by what they are not.
+fn word_of(chart: &mut Chart, names: &HomeNames, text: &str, words: &[SentenceWord], at: usize) {
+    let grammar = &names.lexicon.grammar;
+    let word = &words[at];
+    let is_capital = |word: &SentenceWord| {
+        text.get(word.span.start..word.span.end).is_some_and(|said| said.starts_with(char::is_uppercase))
     };
-    let adverbs = Adverbs::default();
-    let predicate_span = last.predicate_span.to(reader.span(from));
-    let beside = Vec::new();
-    Some(Clause { predicate, predicate_span, adverbs, again: true, place: None, measure: None, beside, ..last.clone() })
-}
-
-fn days_of(first: &Adverbs) -> Adverbs {
-    Adverbs {
-        weekdays: first.weekdays.clone(),
-        months: first.months.clone(),
-        every: first.every.clone(),
-        of_month: first.of_month.clone(),
-        kind: first.kind.clone(),
-        from: first.from.clone(),
-        until: first.until.clone(),
-        for_days: first.for_days.clone(),
-        over: first.over.clone(),
-        fading: first.fading.clone(),
-        ..Adverbs::default()
+    let is_open = |word: &SentenceWord| {
+        word.token == Token::Word && word.text.starts_with(char::is_alphabetic) && !grammar.is_closed(&word.text)
+    };
+    if at == 0 && is_capital(word) && !grammar.is_closed(&word.text) {
+        let length = words.iter().take_while(|word| is_capital(word) && is_open(word)).count().clamp(1, 3);
+        let span = span_of(&words[..length]);
+        let name = text.get(span.start..span.end).unwrap_or_default().to_owned();
+        if names.person_at(words, 0).is_none() {
+            chart.give("STRANGER", 0, length, Value::Name(name), 0);
+        }
     }
-}
-
-fn of_visitor(reader: &mut SentenceReader, name: &str, who: TextSpan) -> Option<Predicate> {
-    let lexicon = reader.names.lexicon.clone();
-    let done = lexicon.nouns.iter().find(|(noun, _)| noun.written.split('|').any(|noun| noun == name));
-    let said = reader.said(who);
-    let message = if let Some((_, activity)) = done {
-        WordMessage::NotAVisitor { text: said, activity: activities::phrase(activity).to_string() }
-    } else if reader.names.has(name, Sort::Thing) {
-        WordMessage::ThingActs { text: said, thing: name.to_owned() }
-    } else if reader.names.lexicon.has_last("TOPICS", name) && remarks::of_topic(reader).is_some()
-        || name == subjects::WRITERS && remarks::of_mind(reader)
+    if !is_open(word) {
+        return;
+    }
+    let is_known = grammar.known_word(&word.text).is_some();
+    chart.give("OPEN", at, at + 1, Value::Unit, 0);
+    if !is_known && !names.is_word(&word.text) {
+        chart.give("UNKNOWN", at, at + 1, Value::Unit, 0);
+    }
+    if at > 0 && is_capital(word) && !is_known {
+        chart.give("CAPITAL", at, at + 1, Value::Unit, 0);
+    }
+    if !is_known
+        && word.text.ends_with('s')
+        && !word.text.ends_with("ss")
+        && !word.text.ends_with("'s")
+        && nearest_verb(names, &word.text).is_none()
     {
-        return Some(Predicate::Remark);
-    } else if let Some(found) = help::visiting(reader) {
-        return Some(found);
-    } else if remarks::remark(reader).is_some() {
-        return Some(Predicate::Remark);
-    } else if let Some(found) = help::seeing_to(reader) {
-        return Some(found);
-    } else {
-        let is_somebody = ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.has_last(list, name));
-        if is_somebody {
-            WordMessage::VisitorActs { text: said, visitor: name.to_owned() }
-        } else {
-            WordMessage::NotAPerson { text: said }
-        }
-    };
-    reader.fault(who, message);
-    None
-}
-
-fn predicate(
-    reader: &mut SentenceReader,
-    subject: &SentenceSubject,
-    who: TextSpan,
-    adverbs: &mut Adverbs,
-    cooked: Option<&crate::routine::Meal>,
-) -> Option<(Predicate, TextSpan)> {
-    let from = reader.at;
-    let found = match subject {
-        SentenceSubject::Visitor(name) => Some(of_visitor(reader, name, who)?),
-        SentenceSubject::Hours | SentenceSubject::Pulse | SentenceSubject::Breathing => {
-            let found = predicates::of_body(reader, subject);
-            if found.is_none() {
-                reader.fault(reader.span(from), WordMessage::BodyChange { text: reader.said(who) });
-                return None;
+        for end in at + 1..=words.len().min(at + MOST_OWN_WORDS) {
+            let last = &words[end - 1];
+            if end > at + 1 && !is_open(last) && !is_determiner(&last.text) {
+                break;
             }
-            found
-        }
-        _ => {
-            if let Some(verb) = past_verb(reader).filter(|_| !reader.ahead(|reader| remarks::remark(reader).is_some()))
-            {
-                return is_past(reader, &verb);
+            if is_open(last) {
+                chart.give("OWN", at, end, Value::Unit, 0);
             }
-            predicates::predicate(reader, adverbs)
         }
-    };
-    if let Some(found) = found {
-        return Some((found, reader.span(from)));
     }
-    if reader.is_over() {
-        reader.fault(who, SentenceMessage::Unfinished);
-        return None;
-    }
-    let is_negated = reader.at > from;
-    if let Some(found) = meal_meant(reader, cooked.filter(|_| !is_negated)) {
-        return found.map(|activity| (Predicate::Does(activity), reader.span(from)));
-    }
-    if let Some(verb) = reader.names.lexicon.verb_of_past(reader.peek(0)).filter(|_| !is_negated) {
-        return is_past(reader, &verb);
-    }
-    let own = predicate::own_words(reader);
-    if is_negated {
-        let span = own.map_or(reader.here(), |(_, span)| span);
-        unknown_word::unknown_not(reader, span);
-        return None;
-    }
-    let Some((words, span)) = own else {
-        let span = nothing_of_its_own(reader);
-        let words = reader.said(span).to_lowercase();
-        unknown_word::unknown_verb(reader, &words, span);
-        return None;
-    };
-    if unknown_word::is_nearly_known(&words) {
-        unknown_word::unknown_verb(reader, &words, span);
-        return None;
-    }
-    Some((Predicate::Own(words), span))
 }
 
-fn past_verb(reader: &SentenceReader) -> Option<String> {
-    let word = reader.peek(0);
-    // "used to" is a remark.
-    let is_past = word.ends_with("ed") && !["need", "feed", "used"].contains(&word);
-    reader.names.lexicon.verb_of_past(word).filter(|_| is_past && activities_begin(reader, word))
+/// The known verb that was probably meant.
+pub fn nearest_verb<'n>(names: &'n HomeNames, word: &str) -> Option<&'n str> {
+    let grammar = &names.lexicon.grammar;
+    homebody_core::nearest::nearest(word, grammar.all_words().filter(|known| known.ends_with('s') && known.len() > 3))
 }
 
-fn activities_begin(reader: &SentenceReader, word: &str) -> bool {
-    reader.names.lexicon.beginning(word).next().is_some()
-}
-
-fn is_past<T>(reader: &mut SentenceReader, verb: &str) -> Option<T> {
-    let (text, verb) = (reader.said(reader.here()), super::lexicon::third_person(verb));
-    reader.fault(reader.here(), WordMessage::PastTense { text, verb });
-    reader.at = reader.words.len();
+/// The value of words that a lexicon gives as the meaning of others: a part of a sentence, or what is done.
+pub fn meaning_of(lexicon: &LexiconWords, text: &str) -> Option<Value> {
+    let words = words::of_name(text);
+    let tokens = Tokens::new(&words);
+    for category in ["Parts", "Does"] {
+        let grammar = &lexicon.grammar;
+        let mut chart = Chart::new(grammar, text, &tokens.words, &tokens.commas, &is_determiner, MOST_STEPS);
+        for (at, word) in tokens.words.iter().enumerate() {
+            match word.token {
+                Token::Number(number) => chart.give("NUMBER", at, at + 1, Value::Number(number), 0),
+                Token::Clock(hours, minutes) => {
+                    let range = Range { from: f64::from(hours), to: f64::from(minutes), about: false };
+                    chart.give("CLOCK", at, at + 1, Value::Range(range), 0);
+                }
+                _ => {}
+            }
+        }
+        let found = chart.readings(category);
+        if let Some(item) = found.iter().find(|item| item.faults.is_none()) {
+            return Some(Value::clone(&item.value));
+        }
+    }
     None
-}
-
-/// The words of an activity that begins with one that is known to begin something else: "has visitors".
-fn nothing_of_its_own(reader: &mut SentenceReader) -> TextSpan {
-    let from = reader.at;
-    if reader.eat("has|have") {
-        predicate::own_words(reader);
-        return reader.span(from);
-    }
-    reader.here()
-}
-
-/// "eats" or "cooks" without saying what: the meal just cooked, or a fault.
-fn meal_meant(reader: &mut SentenceReader, cooked: Option<&crate::routine::Meal>) -> Option<Option<Activity>> {
-    let from = reader.at;
-    let eats = reader.eat("eats|eat|has|have");
-    if !eats && !reader.eat("cooks|cook|prepares|prepare|makes|make") {
-        return None;
-    }
-    let is_end = reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader);
-    let says_more = !reader.eat("it") && !is_end;
-    match cooked {
-        Some(meal) if eats && !says_more => Some(Some(Activity::Eat(*meal))),
-        _ if says_more => {
-            reader.at = from;
-            None
-        }
-        _ => {
-            let span = reader.span(from);
-            let meals: Vec<String> = MEALS.iter().map(|(name, _)| name.replace('|', " or ")).collect();
-            reader.fault(span, WordMessage::WhichMeal { text: reader.said(span), meals });
-            Some(None)
-        }
-    }
 }

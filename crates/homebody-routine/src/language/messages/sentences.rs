@@ -15,12 +15,20 @@ homebody_core::messages! {
             most: usize,
         } error "too-many-sentences" ("a routine has at most {most} sentences")
             hint ("leave some of the sentences out");
-        /// Days in front of a semicolon can hold for the first sentence or for both.
-        AfterSemicolon {
-            /// The words for the days.
-            text: String,
-        } error "after-semicolon" ("nothing says whether {text:?} also holds after the semicolon")
-            hint ("write two sentences, each with its own days");
+        /// A sentence has a limited number of words, which is our choice.
+        TooManyWords {
+            /// The limit.
+            most: usize,
+        } error "too-many-words" ("a sentence has at most {most} words")
+            hint ("make several sentences");
+        /// The words of the sentence can be read in two ways that mean different things.
+        TwoMeanings {
+            /// A sentence with one meaning.
+            first: String,
+            /// A sentence with the other.
+            second: String,
+        } error "two-meanings" ("the sentence has two meanings")
+            hint ("write {first:?} or {second:?}");
         /// Indented lines belong to the heading above them:
         ///
         /// ```text
@@ -38,48 +46,6 @@ homebody_core::messages! {
         /// The sentence has no activity.
         Unfinished error "unfinished" ("the sentence ends without an activity")
             hint ("write what she does, such as \"she reads\"");
-        /// An activity happens in one place.
-        TwoPlaces {
-            /// The words.
-            text: String,
-            /// The first place.
-            first: String,
-        } error "two-places" ("{text:?} is a second place, after {first:?}")
-            hint ("leave one of them out, or make two sentences");
-        /// A sentence describes one change.
-        SecondChange {
-            /// The words.
-            text: String,
-        } error "second-change" ("{text:?} is a second change in one sentence")
-            hint ("make two sentences");
-        /// Homebody simulates activities, and ignores purposes.
-        Purpose {
-            /// The words.
-            text: String,
-            /// The activity as a sentence.
-            activity: String,
-        } error "purpose" ("{text:?} is a purpose, and Homebody simulates only activities")
-            hint ("write the purpose as an activity of its own: \"then she {activity}\"");
-        /// The verb before this activity has no meaning for Homebody, or another one.
-        Roundabout {
-            /// The words.
-            text: String,
-            /// The hint.
-            help: Option<String>,
-        } error "roundabout" ("{text:?} is not a plain activity")
-            advice (help.clone());
-        /// A rule begins with "whenever", and a place belongs behind it.
-        BeforeRule {
-            /// The words.
-            text: String,
-        } error "before-rule" ("a rule cannot begin with {text:?}")
-            hint ("write the place after \"whenever\": \"whenever she has been in the kitchen for 20 minutes\"");
-        /// A sentence has a limited number of activities, which is our choice.
-        TooManyActivities {
-            /// The limit.
-            most: usize,
-        } error "too-many-activities" ("a sentence has at most {most} activities")
-            hint ("begin a new sentence with \"Then she\"");
         /// A sentence with both words can be read in several ways.
         AndOr error "and-or" ("\"and\" and \"or\" in one sentence can be read in several ways")
             hint ("make two sentences");

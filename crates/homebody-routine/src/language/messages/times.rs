@@ -215,39 +215,18 @@ homebody_core::messages! {
             help: String,
         } error "open-time" ("{text:?} leaves the time open")
             hint ("{help}");
-        /// A sentence can place an activity before or after another activity. Homebody does not know this one.
-        UnknownEvent {
-            /// The words.
-            text: String,
-            /// The hint.
-            help: String,
-        } error "unknown-event" ("{text:?} does not name a known activity")
-            hint ("{help}");
         /// A time that varies by more than half a day can be any time.
         SpreadOfTime error "spread-of-time" ("the time varies by more than 12 hours")
             hint ("write at most 12 hours");
         /// A duration that varies by its own length can be zero.
         SpreadOfDuration error "spread-of-duration" ("the duration varies by as much as its own length")
             hint ("write less than the duration itself");
-        /// "Give or take" follows a time or a duration that varies.
-        NothingVaries {
-            /// The words.
-            text: String,
-        } error "nothing-varies" ("{text:?} has no time or duration before it")
-            hint ("write \"at about 06:45, give or take 30 minutes\"");
         /// The time of most falls and the time of this fall contradict each other.
         TwoTimesOfFall {
             /// The words.
             text: String,
         } error "two-times-of-fall" ("the sentence gives the time of most falls, and {text:?} is a second time")
             hint ("leave one of the two times out");
-        /// The time can be the time of the fall, or the time at which a person finds her.
-        WhoseTime {
-            /// The words.
-            text: String,
-        } error "whose-time" ("{text:?} can be the time of the fall or of the visit")
-            hint
-                ("begin with the time or the frequency of the fall; write a sentence of its own for the visit: \"her daughter visits at 9:00\"");
         /// People are up to 130 years old.
         Age {
             /// The words.

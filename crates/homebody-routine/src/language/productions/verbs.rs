@@ -1,0 +1,212 @@
+//! Who does what.
+
+use super::days::as_kind;
+use super::numbers::{as_range, duration};
+use super::times::{as_part, as_parts};
+use super::{Arguments, Production, parts};
+use crate::language::amounts::ABOUT_PACE_SHARE;
+use crate::language::messages::TimeSentenceMessage;
+use crate::language::parts::Parts;
+use crate::language::productions::measures::FASTEST_MPS;
+use crate::language::value::{Act, Range, Subject, Value, Verb};
+use crate::language::words::TextSpan;
+use crate::routine::{Activity, DayKind, FallEnds, Falling, FallsFrom, Meal, ResidentKind, Shy};
+use homebody_core::activity::Help;
+use homebody_core::fuzzy::Fuzzy;
+
+pub fn named(name: &str) -> Option<Production> {
+    Some(match name {
+        "said" => |a| Some(Value::Name(name_of(a))),
+        "person" => |_| Some(Value::Subject(Subject::Person)),
+        "visitor" => |a| {
+            let name = a.name().unwrap_or_else(|| name_of(a));
+            Some(Value::Subject(Subject::Visitor(name)))
+        },
+        "visitor_count" => |a| Some(Value::Subject(Subject::Visitor(a.spoken()))),
+        "stranger" => |a| Some(Value::Subject(Subject::Stranger(a.name()?))),
+        "subject" => |a| {
+            Some(Value::Subject(match a.constant(0) {
+                "Pulse" => Subject::Pulse,
+                "Breathing" => Subject::Breathing,
+                _ => Subject::Hours,
+            }))
+        },
+        "adjective" => |a| {
+            let seconds = *a.numbers().first()?;
+            Some(Value::Range(Range { from: seconds, to: seconds, about: false }))
+        },
+        "adjective_range" => |a| {
+            let numbers = a.numbers();
+            let unit = *numbers.last()?;
+            Some(Value::Range(Range { from: numbers[0] * unit, to: numbers[1] * unit, about: false }))
+        },
+        "condition" => |a| {
+            let severity = a.number_constants()[0];
+            Some(Value::Verb(Verb::Shows(a.name()?, severity)))
+        },
+        "condition_times" => |a| Some(Value::Verb(Verb::Shows(a.name()?, a.numbers()[0]))),
+        "stops" => |a| Some(Value::Verb(Verb::Stops(a.numbers()[0]))),
+        "shows" => |a| a.one(as_verb).map(Value::Verb),
+        "verb" => |a| {
+            Some(Value::Verb(match a.constant(0) {
+                "Walks" => Verb::Walks,
+                "Is" => Verb::Is,
+                "Sleeps" => Verb::Sleeps,
+                "SleepsIn" => Verb::SleepsIn,
+                "Breathes" => Verb::Breathes,
+                "Vary" => Verb::Vary,
+                "Differ" => Verb::Differ,
+                _ => Verb::Visits,
+            }))
+        },
+        "first_verb" => |a| a.all(as_verb).pop().map(Value::Verb),
+        "does" => |a| Some(Value::Verb(Verb::Does(a.act()?))),
+        "act" => |a| {
+            let activity = Activity::from_label(a.constant(0))?;
+            Some(Value::Verb(Verb::Does(act_of(activity, a.span))))
+        },
+        "eats" => |_| Some(Value::Verb(Verb::Eats)),
+        "not_out" => |a| {
+            let act = act_of(Activity::Leave, TextSpan { end: a.span.start, ..a.span });
+            Some(Value::Verb(Verb::Not(act)))
+        },
+        "not" => |a| Some(Value::Verb(Verb::Not(a.act()?))),
+        "skips" => |a| Some(Value::Verb(Verb::Skips(a.act()?))),
+        "forgets_activity" => |a| {
+            let act = a.act()?;
+            matches!(act.activity, Activity::TakeMedicine | Activity::Eat(_)).then_some(Value::Verb(Verb::Skips(act)))
+        },
+        "forgets" => |a| Some(Value::Verb(Verb::Forgets(a.name()?))),
+        "age" => |a| {
+            let age = a.numbers()[0];
+            if age <= 0.0 || age > 130.0 {
+                let span = TextSpan { start: a.kids[0].span.start, ..a.span };
+                a.fault(span, TimeSentenceMessage::Age { text: a.said(span) });
+            }
+            Some(Value::Verb(Verb::Age(age)))
+        },
+        "a_kind" => |a| {
+            Some(Value::Verb(Verb::Kind(match a.constant(0) {
+                "Cat" => ResidentKind::Cat,
+                "Dog" => ResidentKind::Dog,
+                _ => ResidentKind::Person,
+            })))
+        },
+        "pace" => |a| {
+            let range = a.one(as_range)?;
+            if !(range.from >= 0.05 && range.to <= FASTEST_MPS) {
+                let span = a.kids[0].span;
+                a.fault(span, TimeSentenceMessage::Pace { text: a.said(span) });
+            }
+            let share = if range.about { ABOUT_PACE_SHARE } else { 0.0 };
+            let (low, high) = (range.from * (1.0 - share), range.to * (1.0 + share));
+            Some(Value::Verb(Verb::Pace(Fuzzy { low, from: range.from, to: range.to, high })))
+        },
+        "stays" => |a| Some(Value::Verb(Verb::Stays(if a.has("GetUp") { Activity::GetUp } else { Activity::GoToBed }))),
+        "lively" => |a| {
+            let very = a.words.iter().any(|word| word.text == "very") || a.has("very");
+            Some(Value::Verb(Verb::Lively(a.one(as_kind).unwrap_or(DayKind::Quiet), very)))
+        },
+        "differ_much" => |_| Some(Value::Verb(Verb::Differ)),
+        "shy" => |a| {
+            Some(Value::Verb(Verb::Shy(match a.constant(0) {
+                "OpenFloor" => Shy::OpenFloor,
+                "People" => Shy::People,
+                _ => Shy::GoingOn,
+            })))
+        },
+        "stumbles" => |a| Some(Value::Verb(Verb::Does(act_of(Activity::Stumble, a.span)))),
+        "falls" => |a| {
+            let from = a.one(as_parts).and_then(|parts| parts.fall_from).map(|slot| slot.value).unwrap_or_default();
+            Some(Value::Verb(Verb::Falls(Falling { from, slowly: a.has("slowly"), ..Falling::default() })))
+        },
+        "own_words" => |a| Some(Value::Name(a.spoken())),
+        "own" => |a| Some(Value::Verb(Verb::Own(a.name()?))),
+        "goes" => |_| Some(Value::Verb(Verb::Goes)),
+        "speed_spread" => |a| {
+            let mut numbers = a.numbers();
+            let spread = numbers.pop()?;
+            let (from, to) = (*numbers.first()?, *numbers.last()?);
+            let pace = Fuzzy { low: from - spread, from, to, high: to + spread };
+            Some(Value::Verb(Verb::Pace(pace))).filter(|_| (0.05..=FASTEST_MPS).contains(&from) && to <= FASTEST_MPS)
+        },
+        "visited_by" => |a| Some(Value::Verb(Verb::VisitedBy(a.name()?))),
+        "visitor_does" => |a| {
+            let act = a.act()?;
+            Some(Value::Verb(match &act.activity {
+                Activity::Phone => Verb::Does(act),
+                Activity::Leave | Activity::ComeHome | Activity::GetUp | Activity::GoToBed => return None,
+                activity => {
+                    let help = activity.row()?.help?;
+                    Verb::Helps(act, help)
+                }
+            }))
+        },
+        "helps" => |a| Some(Value::Verb(Verb::Helps(a.act()?, Help::Together))),
+        "helps_act" => |a| {
+            let activity = Activity::from_label(a.constant(0))?;
+            Some(Value::Verb(Verb::Helps(act_of(activity, a.span), Help::Together)))
+        },
+        "meal" => |a| {
+            let meal = Meal::ALL.into_iter().find(|meal| format!("{meal:?}") == a.constant(0))?;
+            Some(Value::Act(act_of(Activity::Prepare(meal), a.span)))
+        },
+        "brings" => |a| Some(Value::Verb(Verb::Helps(a.act()?, Help::Instead))),
+        "place" => |a| {
+            let name = a.name()?;
+            parts(Parts { place: a.slot(name), ..Parts::default() })
+        },
+        "floor" => |a| parts(Parts { floor: a.slot(()), ..Parts::default() }),
+        "slowly" => |a| parts(Parts { slowly: a.slot(()), ..Parts::default() }),
+        "fall_from" => |a| {
+            let from = match a.constant(0) {
+                "Bed" => FallsFrom::Bed,
+                "Seat" => FallsFrom::Seat,
+                "WayToToilet" => FallsFrom::WayToToilet,
+                "Rising" => FallsFrom::Rising,
+                _ => FallsFrom::Walking,
+            };
+            parts(Parts { fall_from: a.slot(from), ..Parts::default() })
+        },
+        "fall_ends" => |a| {
+            let ends = match a.constant(0) {
+                "Found" => FallEnds::Found,
+                "Phone" => FallEnds::Phone,
+                _ => FallEnds::Rises,
+            };
+            let finder = a.name();
+            parts(Parts { fall_ends: a.slot((ends, finder)), ..Parts::default() })
+        },
+        "mostly" => |a| {
+            let part = a.one(as_part)?[0];
+            parts(Parts { mostly: a.slot(part), ..Parts::default() })
+        },
+        // The way of saying an activity; its place and length are among the phrases.
+        "way" => |a| {
+            let activity =
+                Activity::from_label(a.constant(0)).unwrap_or_else(|| Activity::Other(a.constant(0).to_owned()));
+            let lasts = a.one(as_range).map(duration);
+            let is_place = a.has("place");
+            Some(Value::Act(Act { activity, place: a.name().filter(|_| is_place), lasts, span: a.span }))
+        },
+        _ => return None,
+    })
+}
+
+pub fn as_verb(value: &Value) -> Option<Verb> {
+    match value {
+        Value::Verb(verb) => Some(verb.clone()),
+        _ => None,
+    }
+}
+
+pub fn act_of(activity: Activity, span: TextSpan) -> Act {
+    Act { activity, place: None, lasts: None, span }
+}
+
+/// The words of a name without "her" and the like in front.
+fn name_of(a: &Arguments) -> String {
+    const DETERMINERS: [&str; 7] = ["a", "an", "the", "her", "his", "their", "my"];
+    let words = a.words.iter().map(|word| word.text.as_str()).skip_while(|word| DETERMINERS.contains(word));
+    words.collect::<Vec<_>>().join(" ")
+}
