@@ -374,7 +374,11 @@ impl Builder<'_> {
                     lasts: stays.or(lasts),
                     until,
                     times,
+                    nights: 0,
+                    is_total: parts.total.is_some(),
                 },
+                key: false,
+                does: Vec::new(),
                 falling: falling
                     .filter(|falling| *falling != Falling::default() || matches!(clause.verb, Verb::Falls(_))),
             };

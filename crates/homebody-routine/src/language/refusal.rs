@@ -7,8 +7,8 @@ use super::names::{HomeNames, Sort, is_determiner};
 use super::productions::said;
 use super::sentence::{Tokens, span_of};
 use super::words::{SentenceWord, TextSpan, Token};
-use crate::canonical;
 use crate::routine::Routine;
+use crate::statement::statements;
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Advice, Diagnostic};
 
@@ -214,7 +214,8 @@ pub fn two_meanings(first: &Built, second: &Built) -> Diagnostic {
             changes: built.changes.clone(),
             ..Routine::default()
         };
-        canonical::sentences(&routine).into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(" ")
+        let sentences = statements(&routine).into_iter().flat_map(|(_, statement)| statement.sentences());
+        sentences.collect::<Vec<_>>().join(" ")
     };
     SentenceMessage::TwoMeanings { first: printed(first), second: printed(second) }.into()
 }
