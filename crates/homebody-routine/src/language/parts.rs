@@ -82,6 +82,8 @@ parts! {
     lasts: Fuzzy, Lasts, "both say how long";
     until: Said, Until, "both say until when";
     times: (u32, u32), Times, "both say how many times";
+    /// Timed repetitions count, too: "twice a night in all".
+    total: (), Times, "both say how many times";
     from: PhaseDay, Phase, "both say from when";
     /// From the end of the clause before.
     follows: (), Phase, "both say from when";

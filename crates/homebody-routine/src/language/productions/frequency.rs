@@ -98,6 +98,7 @@ pub fn named(name: &str) -> Option<Production> {
             let days: f64 = a.numbers().iter().chain(&a.number_constants()).product();
             rated(a, range, days)
         },
+        "total" => |a| parts(Parts { total: a.slot(()), ..Parts::default() }),
         "count" => count,
         "count_in_parts" => |a| {
             let (range, list) = (a.one(as_range)?, a.all(as_part).concat());
