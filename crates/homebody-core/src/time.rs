@@ -160,20 +160,17 @@ impl Span {
     }
 
     /// The same for the standard library and the operating system; nothing where it is below zero.
-    #[inline]
     pub fn to_duration(self) -> std::time::Duration {
         std::time::Duration::from_micros(self.0.max(0).unsigned_abs())
     }
 
     /// The same for the calendar.
-    #[inline]
     pub fn to_signed_duration(self) -> SignedDuration {
         SignedDuration::from_micros(self.0)
     }
 }
 
 impl From<std::time::Duration> for Span {
-    #[inline]
     fn from(duration: std::time::Duration) -> Span {
         Span(i64::try_from(duration.as_micros()).unwrap_or(i64::MAX))
     }
@@ -237,14 +234,12 @@ impl Neg for Span {
 }
 
 impl Sum for Span {
-    #[inline]
     fn sum<I: Iterator<Item = Span>>(spans: I) -> Span {
         spans.fold(Span::ZERO, Add::add)
     }
 }
 
 impl<'a> Sum<&'a Span> for Span {
-    #[inline]
     fn sum<I: Iterator<Item = &'a Span>>(spans: I) -> Span {
         spans.copied().sum()
     }
@@ -386,7 +381,6 @@ impl RunTime {
 
 impl UtcTime {
     /// The same for the calendar, which ends in the year 9999: the first or the last instant that it has stands for those beyond.
-    #[inline]
     pub fn timestamp(self) -> Timestamp {
         Timestamp::from_microsecond(self.0).unwrap_or(if self.0 < 0 { Timestamp::MIN } else { Timestamp::MAX })
     }
@@ -399,7 +393,6 @@ impl UtcTime {
 }
 
 impl From<Timestamp> for UtcTime {
-    #[inline]
     fn from(timestamp: Timestamp) -> UtcTime {
         UtcTime(timestamp.as_microsecond())
     }
@@ -407,14 +400,12 @@ impl From<Timestamp> for UtcTime {
 
 impl WallTime {
     /// Midnight at the beginning of a date.
-    #[inline]
     pub fn midnight(day: Date) -> WallTime {
         let days = date(1970, 1, 1).until(day).map_or(0, |span| span.get_days());
         WallTime(i64::from(days) * DAY.0)
     }
 
     /// The date.
-    #[inline]
     pub fn date(self) -> Date {
         date(1970, 1, 1).saturating_add(jiff::Span::new().days(self.day_number()))
     }
@@ -444,14 +435,12 @@ impl WallTime {
     }
 
     /// Date and time for the calendar.
-    #[inline]
     pub fn datetime(self) -> DateTime {
         date(1970, 1, 1).at(0, 0, 0, 0).saturating_add(self.since_zero().to_signed_duration())
     }
 }
 
 impl From<DateTime> for WallTime {
-    #[inline]
     fn from(datetime: DateTime) -> WallTime {
         let since = datetime.duration_since(date(1970, 1, 1).at(0, 0, 0, 0));
         WallTime(since.as_secs() * SECOND.0 + i64::from(since.subsec_micros()))
