@@ -88,6 +88,7 @@ pub fn sides(outline: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
 
 /// Whether `p` lies inside the outline. Of the border, up to rounding, the sides with the inside to their east or north
 /// belong to it, so that of areas side by side one contains each point.
+#[inline]
 pub fn contains(outline: &[Point], p: Point) -> bool {
     let mut inside = false;
     for (a, b) in sides(outline) {

@@ -56,11 +56,13 @@ impl Span {
     pub const MIN: Span = Span(i64::MIN);
 
     /// So many microseconds.
+    #[inline]
     pub const fn from_micros(micros: i64) -> Span {
         Span(micros)
     }
 
     /// So many milliseconds.
+    #[inline]
     pub const fn from_millis(millis: i64) -> Span {
         Span(millis * 1000)
     }
@@ -68,76 +70,91 @@ impl Span {
     /// So many seconds, rounded to the nearest microsecond.
     ///
     /// Values out of range saturate: the checks of a scenario refuse them before they get here.
+    #[inline]
     pub fn from_seconds(seconds: f64) -> Span {
         Span(libm::round(seconds * SECOND.0 as f64) as i64)
     }
 
     /// So many days of 24 hours, rounded to the nearest microsecond.
+    #[inline]
     pub fn from_days(days: f64) -> Span {
         Span(libm::round(days * DAY.0 as f64) as i64)
     }
 
     /// Whole microseconds.
+    #[inline]
     pub const fn micros(self) -> i64 {
         self.0
     }
 
     /// Seconds, for people and for formulas.
+    #[inline]
     pub fn seconds(self) -> f64 {
         self.0 as f64 / SECOND.0 as f64
     }
 
     /// The quotient of two spans as a fraction.
+    #[inline]
     pub fn ratio(self, other: Span) -> f64 {
         self.0 as f64 / other.0 as f64
     }
 
     /// This span times a factor, rounded to the nearest microsecond.
+    #[inline]
     pub fn scaled(self, factor: f64) -> Span {
         Span(libm::round(self.0 as f64 * factor) as i64)
     }
 
     /// This span times a factor, cut off to whole microseconds.
+    #[inline]
     pub fn share(self, factor: f64) -> Span {
         Span((self.0 as f64 * factor) as i64)
     }
 
     /// So many times this span: `*` for constants.
+    #[inline]
     pub const fn times(self, times: i64) -> Span {
         Span(self.0 * times)
     }
 
     /// The length without its sign.
+    #[inline]
     pub const fn abs(self) -> Span {
         Span(self.0.abs())
     }
 
     /// The whole number of times that `other`, which is above zero, fits into it, rounded down.
+    #[inline]
     pub const fn div_euclid(self, other: Span) -> i64 {
         self.0.div_euclid(other.0)
     }
 
     /// The rest that [`Span::div_euclid`] leaves, never below zero.
+    #[inline]
     pub const fn rem_euclid(self, other: Span) -> Span {
         Span(self.0.rem_euclid(other.0))
     }
 
     /// The sum, or the longest span.
+    #[inline]
     pub const fn saturating_add(self, other: Span) -> Span {
         Span(self.0.saturating_add(other.0))
     }
 
     /// The difference, or the longest span.
+    #[inline]
     pub const fn saturating_sub(self, other: Span) -> Span {
         Span(self.0.saturating_sub(other.0))
     }
 
     /// The product, or the longest span.
+    #[inline]
     pub const fn saturating_mul(self, times: i64) -> Span {
         Span(self.0.saturating_mul(times))
     }
 
     /// The sum, unless it is too long.
+    #[inline]
     pub fn checked_add(self, other: Span) -> Option<Span> {
         self.0.checked_add(other.0).map(Span)
     }
@@ -170,6 +187,7 @@ macro_rules! operators {
     ($($operator:ident::$call:ident($one:ty, $other:ty) -> $out:ty: |$a:ident, $b:ident| $value:expr;)*) => {$(
         impl $operator<$other> for $one {
             type Output = $out;
+            #[inline]
             fn $call(self, other: $other) -> $out {
                 let ($a, $b) = (self, other);
                 $value
@@ -182,6 +200,7 @@ macro_rules! operators {
 macro_rules! assigning_operators {
     ($($operator:ident::$call:ident($one:ty, $other:ty): $sign:tt;)*) => {$(
         impl $operator<$other> for $one {
+            #[inline]
             fn $call(&mut self, other: $other) {
                 *self = *self $sign other;
             }
@@ -208,6 +227,7 @@ assigning_operators! {
 
 impl Neg for Span {
     type Output = Span;
+    #[inline]
     fn neg(self) -> Span {
         Span(-self.0)
     }
@@ -254,41 +274,49 @@ macro_rules! instant {
             pub const MAX: $name = $name(i64::MAX);
 
             /// The instant so many microseconds after the zero of its scale.
+            #[inline]
             pub const fn from_micros(micros: i64) -> $name {
                 $name(micros)
             }
 
             /// Microseconds since the zero of its scale.
+            #[inline]
             pub const fn micros(self) -> i64 {
                 self.0
             }
 
             /// The time since the zero of its scale.
+            #[inline]
             pub const fn since_zero(self) -> Span {
                 Span(self.0)
             }
 
             /// The instant so much later, or the latest one.
+            #[inline]
             pub const fn saturating_add(self, span: Span) -> $name {
                 $name(self.0.saturating_add(span.0))
             }
 
             /// The instant so much earlier, or the earliest one.
+            #[inline]
             pub const fn saturating_sub(self, span: Span) -> $name {
                 $name(self.0.saturating_sub(span.0))
             }
 
             /// The time since another instant, or the longest span.
+            #[inline]
             pub const fn saturating_since(self, other: $name) -> Span {
                 Span(self.0.saturating_sub(other.0))
             }
 
             /// The distance to another instant, in microseconds.
+            #[inline]
             pub const fn abs_diff(self, other: $name) -> u64 {
                 self.0.abs_diff(other.0)
             }
 
             /// The instant after a span, unless it is out of range.
+            #[inline]
             pub fn checked_add(self, span: Span) -> Option<$name> {
                 self.0.checked_add(span.0).map($name)
             }
@@ -339,11 +367,13 @@ impl RunTime {
     pub const NEVER: RunTime = RunTime::MAX;
 
     /// The instant so many days of 24 hours after the start.
+    #[inline]
     pub fn from_days(days: f64) -> RunTime {
         RunTime::START + Span::from_days(days)
     }
 
     /// Seconds since the start, for people and for formulas.
+    #[inline]
     pub fn seconds(self) -> f64 {
         self.since_zero().seconds()
     }
@@ -356,6 +386,7 @@ impl UtcTime {
     }
 
     /// The time that a clock in UTC shows at this instant.
+    #[inline]
     pub const fn on_wall_of_utc(self) -> WallTime {
         WallTime(self.0)
     }
@@ -380,21 +411,25 @@ impl WallTime {
     }
 
     /// The instant at which a wall that is so far ahead of UTC shows it.
+    #[inline]
     pub fn to_utc(self, ahead: Span) -> UtcTime {
         UtcTime(self.0 - ahead.0)
     }
 
     /// The number of the day since 1970.
+    #[inline]
     pub const fn day_number(self) -> i64 {
         self.0.div_euclid(DAY.0)
     }
 
     /// The time since midnight.
+    #[inline]
     pub const fn time_of_day(self) -> Span {
         Span(self.0.rem_euclid(DAY.0))
     }
 
     /// The instant at which a clock on the wall of UTC shows it.
+    #[inline]
     pub const fn as_of_utc(self) -> UtcTime {
         UtcTime(self.0)
     }

@@ -27,6 +27,7 @@ impl Timers {
         Timers { keys: vec![NEVER; 2 * leaves], leaves }
     }
 
+    #[inline]
     pub fn set(&mut self, sensor: usize, at: RunTime) {
         let mut node = self.leaves + sensor;
         self.keys[node] = if at == RunTime::NEVER { NEVER } else { at.micros() << SENSOR_BITS | sensor as i64 };
@@ -37,6 +38,7 @@ impl Timers {
     }
 
     /// The next timer and its owner; [`RunTime::NEVER`] if there is none.
+    #[inline]
     pub fn next(&self) -> (RunTime, usize) {
         let key = self.keys[1];
         let at = if key == NEVER { RunTime::NEVER } else { RunTime::from_micros(key >> SENSOR_BITS) };

@@ -152,6 +152,7 @@ impl Field {
     }
 
     /// The entry of a block for the cell of a point.
+    #[inline]
     pub(crate) fn cell(&self, block: usize, p: Point) -> &FieldCell {
         let at = (p - self.corner) / CELL_M;
         self.cell_at(self.layer(block), floor(at.x), floor(at.y))
@@ -205,10 +206,12 @@ impl Field {
     }
 
     /// The cells of a block, and of those after it.
+    #[inline]
     fn layer(&self, block: usize) -> &[FieldCell] {
         &self.cells[block * (self.rows * self.columns) as usize..]
     }
 
+    #[inline]
     fn cell_at<'a>(&'a self, layer: &'a [FieldCell], column: i32, row: i32) -> &'a FieldCell {
         let on_grid = column >= 0 && row >= 0 && column < self.columns && row < self.rows;
         if on_grid { &layer[(row * self.columns + column) as usize] } else { &self.nowhere }
@@ -233,6 +236,7 @@ impl Field {
     }
 
     /// The beams of `sensor`, one of the unsure ones of the cell, that a body in the cell may touch.
+    #[inline]
     pub(crate) fn to_test(&self, cell: &FieldCell, sensor: usize) -> &[Beam] {
         let before = (cell.may & !cell.sure) & (bit(sensor) - 1);
         let beams = self.unsure[cell.unsure as usize + before.count_ones() as usize];
@@ -240,6 +244,7 @@ impl Field {
     }
 
     /// Whether `sensor`, one of the unsure ones of the cell, sees a body that moves at `p` in the cell.
+    #[inline]
     pub(crate) fn sees_in(&self, cell: &FieldCell, sensor: usize, p: Point) -> bool {
         let touched = |beam: &Beam| stride::touches(beam, p, self.size.radius_m);
         self.over_area(sensor, p) || self.to_test(cell, sensor).iter().any(touched)
@@ -252,6 +257,7 @@ impl Field {
     }
 
     /// Whether the centre `p` is over the area of `sensor`, if it has one.
+    #[inline]
     pub(crate) fn over_area(&self, sensor: usize, p: Point) -> bool {
         self.areas[sensor].as_deref().is_some_and(|outline| geometry::contains(outline, p))
     }
