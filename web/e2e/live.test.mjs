@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
-import { serve } from './served.mjs';
+import { playNewRun, serve } from './served.mjs';
 
 let served;
 before(async () => (served = await serve('tigerplace')));
@@ -36,8 +36,7 @@ function stored(run) {
 test('the keys drive her to the kitchen, and what sensors said is in SQLite', { timeout: 240_000 }, async () => {
   const { page } = served;
   await page.getByLabel('Keyboard controls').selectOption({ label: 'margaret' });
-  await page.getByRole('button', { name: 'New run' }).click();
-  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await playNewRun(page);
   await page.getByRole('application').focus();
   // From beside the bed through the hall and the living room.
   const way = [['KeyD', 2.6], ['KeyS', 3.0], ['ArrowRight', 2.3], ['KeyW', 2.0], ['KeyD', 3.2], ['ArrowDown', 2.3]];
@@ -81,9 +80,8 @@ test('a page that is loaded anew, and a second one, see the same run', { timeout
   const other = await context.newPage();
   await other.goto(address);
   await other.getByRole('application').waitFor();
-  await page.getByRole('button', { name: 'New run' }).click();
+  await playNewRun(page);
   await page.getByRole('button', { name: '100×: ' }).click();
-  await page.getByRole('button', { name: 'Play', exact: true }).click();
   await other.getByRole('button', { name: 'Pause', exact: true }).waitFor();
   await other.getByRole('button', { name: 'Pause', exact: true }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { serve } from './served.mjs';
+import { playNewRun, serve } from './served.mjs';
 
 let served;
 before(async () => (served = await serve('tigerplace')));
@@ -73,8 +73,7 @@ test('what is wrong stands beside its field, and a place outside the run is told
 test('the next run is stored so, and is seen to grow', { timeout: 240_000 }, async () => {
   const { page } = served;
   await goTo('Live');
-  await page.getByRole('button', { name: 'New run' }).first().click();
-  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await playNewRun(page);
   await page.locator('summary', { hasText: 'tigerplace-1' }).waitFor();
   await page.getByRole('button', { name: '100×: ' }).click();
   await goTo('Log');

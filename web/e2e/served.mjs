@@ -25,6 +25,17 @@ export async function until(holds, what) {
   }
 }
 
+/** Starts a run and plays it. A press of Play may come before the page has the new run. */
+export async function playNewRun(page) {
+  await page.getByRole('button', { name: 'New run' }).first().click();
+  const pause = page.getByRole('button', { name: 'Pause', exact: true });
+  await until(async () => {
+    if (await pause.isVisible()) return true;
+    await page.getByRole('button', { name: 'Play', exact: true }).click();
+    return false;
+  }, 'the new run does not play');
+}
+
 /**
  * Serves a copy of a scenario of the repository, and opens its page.
  * @param prepare changes the copy before it is served; `script` runs in each page before its own.

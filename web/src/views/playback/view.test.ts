@@ -106,7 +106,7 @@ test('sliders go by minute, second, hour and day, and say where', async () => {
   expect(button('Again')).toBeDefined();
 });
 
-test('an address of another view is left alone', async () => {
+test('an address that the page has not followed yet is left alone', async () => {
   await begin();
   press('ArrowRight', slider('Time of the day'));
   await vi.advanceTimersByTimeAsync(400);
@@ -116,6 +116,10 @@ test('an address of another view is left alone', async () => {
   window.history.replaceState(null, '', '#/care/cottage-2');
   await vi.advanceTimersByTimeAsync(400);
   expect(window.location.hash).toBe('#/care/cottage-2');
+  press('ArrowRight', slider('Time of the day'));
+  window.history.replaceState(null, '', '#/playback/cottage-2@2009-03-03T12:00:00');
+  await vi.advanceTimersByTimeAsync(400);
+  expect(window.location.hash).toBe('#/playback/cottage-2@2009-03-03T12:00:00');
 });
 
 test('Space plays and pauses', async () => {
