@@ -50,12 +50,20 @@ pub fn habit_sentence(habit: &Habit) -> String {
         (*nights > 0).then(|| format!("for {nights} {}", if *nights == 1 { "night" } else { "nights" })),
         habit.key.then(|| "with a key".to_owned()),
         (!habit.does.is_empty()).then(|| {
-            let does: Vec<String> = habit.does.iter().map(phrase).collect();
+            let does: Vec<String> = habit.does.iter().map(work_words).collect();
             format!("and {}", list(&does.iter().map(String::as_str).collect::<Vec<_>>()))
         }),
     ];
     let then = matches!(time, HabitTime::Then).then(|| "then".to_owned());
     sentence(front(&habit.when).into_iter().chain(then), &join(said, " "))
+}
+
+/// What a visitor does, alone or with the resident.
+fn work_words(activity: &Activity) -> String {
+    match activity.row().and_then(|row| row.help) {
+        Some(_) => phrase(activity),
+        None => format!("helps her {}", bare(&phrase(activity))),
+    }
 }
 
 pub fn change_sentence(change: &RoutineChange) -> String {

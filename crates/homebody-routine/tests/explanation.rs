@@ -80,17 +80,3 @@ fn the_numbers_are_there_for_programs() {
     assert_eq!(json["start"]["least"], 34_800.0);
     assert_eq!(json["lasts"]["mean"], 9_000.0);
 }
-
-#[test]
-fn meals_that_are_late_or_early_are_so_by_their_own_hours() {
-    for (sentence, at) in [
-        ("She has breakfast late.", "at about 09:30"),
-        ("She has lunch very early.", "at about 11:00"),
-        ("She eats her supper early on Sunday.", "at about 17:00"),
-        ("She reads late.", "at about 23:30"),
-        ("She has a cup of tea early.", "at about 06:30"),
-    ] {
-        let words = row(sentence).in_words;
-        assert!(words.contains(at), "{sentence} {words}");
-    }
-}

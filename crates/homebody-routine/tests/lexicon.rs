@@ -43,7 +43,6 @@ fn reports_problems_of_a_lexicon_with_their_lines() {
         ("~read", "own.words:1:1: this line has no section above it"),
         ("[readng]\n~leaf", "did you mean \"[reading]\"?"),
         ("[MEANS]\nat elevenses", "does not give the meaning of its words"),
-        ("[reading]\nHOST leaves", "can be missing"),
         ("[reading]\n~leaf through\n~leaf through", "occurs twice"),
         ("[tending bonsai] tends; 9000 minutes", "is not a valid usual length"),
     ] {

@@ -51,7 +51,8 @@ fn a_claim_that_is_wrong_is_found() {
 
 #[test]
 fn refusals_and_remarks_count_as_told() {
-    let rows = rows_of("She showerrs.\n= showering: every day\n\nNote: She was a nurse.\n= told: remark\n= reading: never\n");
+    let rows =
+        rows_of("She showerrs.\n= showering: every day\n\nNote: She was a nurse.\n= told: remark\n= reading: never\n");
     assert_eq!(rows.iter().map(|row| row.verdict).collect::<Vec<_>>(), [Verdict::Told; 3]);
 }
 

@@ -54,7 +54,8 @@ mod tests {
     #[test]
     fn what_can_be_said_is_in_the_table_of_activities_and_all_else_there_has_a_reason() {
         use homebody_core::activity::{
-            ACTIVITIES, AIRING, FRESHENING_UP, HELPING, LEAVING_HOME, PUTTING_CLOTHES_AWAY, RESTING, ROAMING, SEEING_TO_KITCHEN, SLEEPING, TIDYING, VISITING, WAITING, WALKING,
+            ACTIVITIES, AIRING, FRESHENING_UP, HELPING, LEAVING_HOME, PUTTING_CLOTHES_AWAY, RESTING, ROAMING,
+            SEEING_TO_KITCHEN, SLEEPING, TIDYING, VISITING, WAITING, WALKING,
         };
         let said: Vec<Activity> = Activity::all_of_table().collect();
         let mut labels: Vec<&str> = said.iter().map(Activity::label).collect();

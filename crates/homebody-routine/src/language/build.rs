@@ -12,7 +12,7 @@ use super::value::{Act, Clause, Said, Statement, Subject, Verb};
 use super::words::TextSpan;
 use super::{calendar, productions};
 use crate::routine::{
-    Activity, Effect, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Phase, PhaseDay, Quote,
+    Activity, DaySelection, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Phase, PhaseDay, Quote,
     ResidentKind, RoutineChange, RoutineRule, When,
 };
 use homebody_core::activity::Help;
@@ -137,9 +137,6 @@ impl Builder<'_> {
             Verb::Stays(activity) if clause.parts.measure.is_none() => self.stays(clause, activity),
             Verb::Goes => self.only_goes(&clause),
             Verb::Helps(act, help) => self.helps(clause, &act, help),
-            Verb::HelpedBy(who, act) => {
-                self.helps(Clause { subject: Subject::Visitor(who), ..clause }, &act, Help::Together)
-            }
             Verb::VisitedBy(who) => self.habit(Clause { subject: Subject::Visitor(who), verb: Verb::Visits, ..clause }),
             Verb::Visits | Verb::Own(_) | Verb::Falls(_) => self.habit(clause),
             Verb::Does(_) if clause.parts.measure.is_none() => self.habit(clause),
@@ -239,36 +236,31 @@ impl Builder<'_> {
         self.fault(clause.verb_span, SentenceMessage::OnlyGoes { text, at, place });
     }
 
+    /// A visitor works during the visit. Getting up and going to bed are habits of their own, at the time of the visit.
     fn helps(&mut self, clause: Clause, act: &Act, help: Help) {
         let before = self.built.habits.len();
         self.habit(Clause { verb: Verb::Visits, ..clause.clone() });
-        let visits: Vec<Habit> = self.built.habits[before..].iter().map(|(habit, _)| habit.clone()).collect();
-        for visit in visits {
-            let activity = act.activity.clone();
+        let is_of_day = matches!(act.activity, Activity::GetUp | Activity::GoToBed) && help == Help::Together;
+        for (mut visit, span) in self.built.habits.split_off(before) {
+            let nothing_done = |habit: &Habit| Habit { said: Quote::default(), does: Vec::new(), ..habit.clone() };
             // "Does the floors and the bathroom" is one visit.
-            let is_same = |(other, _): &(Habit, TextSpan)| {
-                Habit { said: visit.said.clone(), ..other.clone() } == visit && other.said.line == visit.said.line
-            };
-            if self.built.habits[..before].iter().any(is_same) {
-                self.built.habits.retain(|(habit, _)| habit.said != visit.said || habit.visitor.is_none());
+            let same = self.built.habits.iter().position(|(habit, _)| nothing_done(habit) == nothing_done(&visit));
+            if let (false, Some(at)) = (is_of_day, same) {
+                let does = &mut self.built.habits[at].0.does;
+                does.extend(Some(act.activity.clone()).filter(|activity| !does.contains(activity)));
+            } else if !is_of_day {
+                visit.does.push(act.activity.clone());
             }
-            match help {
-                Help::Together => {
-                    let is_of_day = matches!(activity, Activity::GetUp | Activity::GoToBed);
-                    if is_of_day && !matches!(visit.when.time, HabitTime::At(_)) {
-                        return self.fault(clause.verb_span, SentenceMessage::WhenHelped);
-                    }
-                    let time = if is_of_day { visit.when.time.clone() } else { HabitTime::With(Activity::Visit) };
-                    let when = When { time, lasts: None, until: None, ..visit.when };
-                    let helped = Habit { visitor: None, activity, when, place: None, ..visit };
-                    self.built.habits.push((helped, clause.verb_span));
-                }
-                Help::Instead => {
-                    let factor = Fuzzy::exactly(1.0 - visit.when.chance.probability);
-                    let effect = Effect::Oftener { activity, factor };
-                    let when = When { days: visit.when.days, phase: visit.when.phase, ..When::default() };
-                    self.built.changes.push(RoutineChange { said: visit.said, when, effect });
-                }
+            let helped =
+                Habit { activity: act.activity.clone(), visitor: None, key: false, place: None, ..visit.clone() };
+            if same.is_none() {
+                self.built.habits.push((visit, span));
+            }
+            if is_of_day && !matches!(helped.when.time, HabitTime::At(_)) {
+                self.fault(clause.verb_span, SentenceMessage::WhenHelped);
+            } else if is_of_day {
+                let when = When { lasts: None, until: None, nights: 0, ..helped.when.clone() };
+                self.built.habits.push((Habit { when, ..helped }, clause.verb_span));
             }
         }
     }
@@ -322,6 +314,13 @@ impl Builder<'_> {
                 );
             }
         }
+        let is_visit = matches!(clause.subject, Subject::Visitor(_));
+        if let Some(key) = parts.key.as_ref().filter(|_| !is_visit) {
+            let text = self.said(key.span);
+            let reason = "only a visitor comes with a key".to_owned();
+            self.fault(key.span, SentenceMessage::DoesNotFit { text, reason });
+        }
+        let nights = self.nights(&activity, &mut parts);
         let is_fall = activity == Activity::Fall;
         let falling = self.falling(&clause, &activity, &mut parts);
         let phase = self.phase(&parts, clause.span);
@@ -374,16 +373,38 @@ impl Builder<'_> {
                     lasts: stays.or(lasts),
                     until,
                     times,
-                    nights: 0,
+                    nights,
                     is_total: parts.total.is_some(),
                 },
-                key: false,
+                key: parts.key.is_some(),
                 does: Vec::new(),
-                falling: falling
-                    .filter(|falling| *falling != Falling::default() || matches!(clause.verb, Verb::Falls(_))),
+                falling,
             };
             self.built.habits.push((habit, clause.verb_span));
         }
+    }
+
+    /// For so many nights somebody stays; of anything else, they are a length in days. From a day on and on no other is once.
+    fn nights(&mut self, activity: &Activity, parts: &mut Parts) -> u32 {
+        let Some(slot) = parts.nights.take() else { return 0 };
+        if !matches!(activity, Activity::Leave | Activity::Visit) {
+            parts.for_days = Some(Slot { value: slot.value.into(), span: slot.span, own: slot.own });
+            return 0;
+        }
+        let is_often = parts.chance.is_some() || parts.days() != DaySelection::ALL;
+        match &parts.from {
+            Some(from) if !is_often && parts.until_day.is_none() => {
+                parts.until_day = Some(Slot { value: calendar::later(from.value, 1), span: slot.span, own: slot.own });
+            }
+            None if !is_often => {
+                let (text, stays) =
+                    (self.said(slot.span), if *activity == Activity::Visit { "visits" } else { "is away" });
+                let help = format!("write \"from day 30, she {stays} {text}\", or on which days");
+                self.fault(slot.span, TimeSentenceMessage::NoBeginning { help });
+            }
+            _ => {}
+        }
+        slot.value
     }
 
     /// "Visits her sister from Friday to Sunday" may be one stay, or a visit on each of these days.

@@ -74,7 +74,7 @@ pub struct Chart<'a> {
     agenda: BinaryHeap<(Reverse<u32>, Reverse<u32>)>,
     made: Vec<Option<Item>>,
     pub steps: usize,
-    most_steps: usize,
+    pub most_steps: usize,
     describing: Option<Category>,
 }
 

@@ -220,16 +220,16 @@ impl LexiconWords {
             Section::Activity(activity) => {
                 let constants = [activity.label().to_owned(), "place".to_owned()];
                 match line.strip_prefix("= ") {
-                    Some(noun) => self.phrase(noun, "Noun", &way(constants))?,
+                    Some(noun) => self.phrase(noun, "Noun", &way(constants)),
                     None => {
                         self.ways.push((line.to_owned(), activity.clone()));
-                        self.way(line, &way(constants))?;
+                        self.way(line, &way(constants));
                     }
                 }
             }
             Section::List(name) => {
                 let constant = Make::Constant(Arc::new(Value::Unit));
-                self.phrase(line, name, &constant)?;
+                self.phrase(line, name, &constant);
             }
             Section::Verbs => {}
             Section::Names | Section::Means => {
@@ -241,8 +241,8 @@ impl LexiconWords {
                     self.names.push((entry(said), meant.split(' ').map(str::to_owned).collect()));
                 } else {
                     match meaning_of(self, meant) {
-                        Some(value @ Value::Parts(_)) => self.phrase(said, "Part", &Make::Constant(Arc::new(value)))?,
-                        Some(value) => self.way(said, &Make::Constant(Arc::new(value)))?,
+                        Some(value @ Value::Parts(_)) => self.phrase(said, "Part", &Make::Constant(Arc::new(value))),
+                        Some(value) => self.way(said, &Make::Constant(Arc::new(value))),
                         None => return Err(LexiconMessage::NoMeaning { text: line.to_owned() }),
                     }
                 }
@@ -252,11 +252,10 @@ impl LexiconWords {
     }
 
     /// A way that begins with a verb, in each of its forms.
-    fn way(&mut self, written: &str, make: &Make) -> Result<(), LexiconMessage> {
+    fn way(&mut self, written: &str, make: &Make) {
         let (first, rest) = written.split_once(' ').unwrap_or((written, ""));
         let Some(verbs) = first.strip_prefix('~') else {
-            FORMS.iter().try_for_each(|form| self.phrase(written, form, make))?;
-            return Ok(());
+            return FORMS.iter().for_each(|form| self.phrase(written, form, make));
         };
         let rest = self.elements(rest);
         let forms: Vec<[Vec<String>; 4]> = verbs.split('|').map(|verb| self.forms(verb)).collect();
@@ -268,18 +267,12 @@ impl LexiconWords {
             let category = self.grammar.category(form);
             self.grammar.add(Rule { category, elements, make: make.clone(), cost: 0 });
         }
-        Ok(())
     }
 
-    fn phrase(&mut self, written: &str, category: &str, make: &Make) -> Result<(), LexiconMessage> {
+    fn phrase(&mut self, written: &str, category: &str, make: &Make) {
         let mut elements = self.elements(written);
-        match elements.first_mut() {
-            Some(first) if !first.optional => {
-                if !written.starts_with('*') {
-                    first.before = Before::Nothing;
-                }
-            }
-            _ => return Err(LexiconMessage::NoFirstWord { text: written.to_owned() }),
+        if let Some(first) = elements.first_mut().filter(|_| !written.starts_with('*')) {
+            first.before = Before::Nothing;
         }
         // Describing words in front of a noun are a rule of their own.
         if written.starts_with('*') {
@@ -299,7 +292,6 @@ impl LexiconWords {
         }
         let category = self.grammar.category(category);
         self.grammar.add(Rule { category, elements, make: make.clone(), cost: 0 });
-        Ok(())
     }
 
     fn elements(&mut self, written: &str) -> Vec<Element> {

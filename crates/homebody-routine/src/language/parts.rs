@@ -27,6 +27,7 @@ pub enum SlotKind {
     Place,
     Measure,
     Fall,
+    Visit,
 }
 
 macro_rules! parts {
@@ -89,6 +90,8 @@ parts! {
     follows: (), Phase, "both say from when";
     until_day: PhaseDay, Phase, "both say until when";
     for_days: f64, Phase, "both say for how long";
+    nights: u32, Phase, "both say for how long";
+    key: (), Visit, "both say how the visitor comes in";
     over: f64, Phase, "both say over which time";
     fading: f64, Phase, "both say over which time";
     place: String, Place, "both say where";
@@ -109,12 +112,15 @@ impl Parts {
 
     /// What is said here, and of the rest what a heading says.
     pub fn under(mut self, heading: &Parts) -> Parts {
-        let (says_part, says_days, says_end) =
-            (self.part.is_some(), self.says_weekdays(), self.until_day.is_some() || self.for_days.is_some());
+        let (says_part, says_days, says_end) = (
+            self.part.is_some(),
+            self.says_weekdays(),
+            self.until_day.is_some() || self.for_days.is_some() || self.nights.is_some(),
+        );
         self.fill(heading, false, |name| match name {
             "when" => !says_part,
             "weekdays" | "every" => !says_days,
-            "until_day" | "for_days" => !says_end,
+            "until_day" | "for_days" | "nights" => !says_end,
             _ => true,
         });
         self
@@ -125,8 +131,8 @@ impl Parts {
         let says_days = self.says_weekdays();
         self.fill(other, false, |name| match name {
             "chance" | "becomes" | "weekdays" | "every" | "of_month" => !says_days,
-            "except_days" | "months" | "except_months" | "kind" | "from" | "until_day" | "for_days" | "over"
-            | "fading" => true,
+            "except_days" | "months" | "except_months" | "kind" | "from" | "until_day" | "for_days" | "nights"
+            | "over" | "fading" => true,
             _ => false,
         });
         self

@@ -1,16 +1,19 @@
 //! Why a sentence is refused: the words that nothing covers, and sentences that keep the rest.
 
+use super::activities::all_phrases;
 use super::build::{Built, Context};
-use super::chart::Chart;
+use super::chart::{Chart, MOST_STEPS};
 use super::messages::{SentenceMessage, WordMessage};
 use super::names::{HomeNames, Sort, is_determiner};
 use super::productions::said;
-use super::sentence::{Tokens, span_of};
+use super::sentence::{Tokens, is_read, span_of};
 use super::words::{SentenceWord, TextSpan, Token};
 use crate::routine::Routine;
 use crate::statement::statements;
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Advice, Diagnostic};
+use std::cmp::Reverse;
+use std::ops::Range;
 
 /// Largest number of sentences that a refusal offers (our choice).
 const MOST_OFFERS: usize = 3;
@@ -20,9 +23,8 @@ const DENIALS: [&str; 17] = [
     "without", "instead", "stops", "if", "when",
 ];
 /// Parts of words for times.
-const TIMES: [&str; 14] = [
-    "night", "day", "morn", "even", "noon", "week", "month", "year", "hour", "time", "late", "early", "dawn", "dusk",
-];
+const TIMES: [&str; 14] =
+    ["night", "day", "morn", "even", "noon", "week", "month", "year", "hour", "time", "late", "early", "dawn", "dusk"];
 const WHERE: [&str; 6] = ["in", "on", "at", "by", "near", "beside"];
 
 type Faults = Vec<(TextSpan, Diagnostic)>;
@@ -44,9 +46,10 @@ pub fn left_out(names: &HomeNames, context: Context, tokens: &Tokens, skipped: &
     // Without what is denied, the rest is not what was said.
     if let Some(denial) = (0..tokens.words.len()).find(|at| first & 1 << at != 0 && denies(&tokens.words[*at].text)) {
         let span = span_of(&tokens.words[denial..]);
+        let ends = ["not", "no", "never", "stops"].contains(&tokens.words[denial].text.as_str());
         let help = "to end a new activity, write until when it happens: \"until week 12 she whittles in the armchair for 1 hour\"";
         let text = said(context.text, span);
-        return vec![(span, WordMessage::NotUnderstood { text, help: Some(help.into()) }.into())];
+        return vec![(span, WordMessage::NotUnderstood { text, help: ends.then(|| help.into()) }.into())];
     }
     let mut faults = Vec::new();
     let mut at = 0;
@@ -83,10 +86,7 @@ fn uncovered(names: &HomeNames, context: Context, words: &[SentenceWord], offers
     let help = match (near, offers) {
         (Some(near), _) => Some(Advice::meant(near)),
         (None, []) => None,
-        (None, offers) => {
-            let quoted: Vec<String> = offers.iter().map(|offer| format!("\"{offer}\"")).collect();
-            Some(format!("without it: {}", quoted.join(" or ")).into())
-        }
+        (None, offers) => Some(format!("without it: {}", quoted(offers)).into()),
     };
     (span, WordMessage::NotUnderstood { text, help }.into())
 }
@@ -163,7 +163,19 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
         let doing = &words[verb..stop.unwrap_or(words.len())];
         let span = span_of(doing);
         let spoken = said(text, span).to_lowercase();
-        let help = help_for(names, doing, &spoken);
+        if chart.most_steps < MOST_STEPS {
+            return vec![(span, WordMessage::UnknownVerb { text: spoken, help: None }.into())];
+        }
+        if let Some(meant) = slip(names, doing, &spoken) {
+            return vec![(span, WordMessage::UnknownVerb { text: spoken, help: Some(Advice::meant(&meant)) }.into())];
+        }
+        let offers = similar(names, context, words, verb..verb + doing.len());
+        if !offers.is_empty() {
+            let help = Some(format!("write {}", quoted(&offers)).into());
+            return vec![(span, WordMessage::UnknownVerb { text: spoken, help }.into())];
+        }
+        let can_be_new = chart.phrases("OWN").any(|item| item.start as usize == verb);
+        let help = help_for(doing, &spoken, can_be_new);
         return vec![(span, WordMessage::UnknownVerb { text: spoken, help }.into())];
     }
     if subject.is_some() {
@@ -176,31 +188,78 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
     vec![(whole, WordMessage::NotAPerson { text: said(text, whole) }.into())]
 }
 
-/// The nearest words for what somebody does, or what else the sentence needs.
-fn help_for(names: &HomeNames, doing: &[SentenceWord], spoken: &str) -> Option<Advice> {
-    const FEW: usize = 4;
+/// The sentence with known activities of the same verb in place of an unknown one, where nothing else is lost.
+fn similar(names: &HomeNames, context: Context, words: &[SentenceWord], doing: Range<usize>) -> Vec<String> {
+    let verb = words[doing.start].text.as_str();
+    let is_said = |word: &str| words[doing.clone()].iter().any(|said| said.text == word);
+    let mut near: Vec<(Reverse<usize>, usize, &str)> = Vec::new();
+    for phrase in all_phrases().iter().filter(|phrase| phrase.split(' ').next() == Some(verb)) {
+        let shared = phrase.split(' ').skip(1).filter(|word| is_said(word) && !is_preposition(word)).count();
+        let count = phrase.split(' ').count();
+        let loses = words[doing.clone()].iter().any(|word| {
+            let is_kept = phrase.split(' ').any(|kept| kept == word.text);
+            !is_kept && (word.token != Token::Word || denies(&word.text) || TIMES.contains(&word.text.as_str()))
+        });
+        if (shared > 0 || count == 1) && !loses {
+            near.push((Reverse(shared), count, phrase));
+        }
+    }
+    near.sort_unstable();
+    let text = |at: Range<usize>| said_of(context.text, &words[at]);
+    let sentences = near.into_iter().take(MOST_OFFERS).map(|(.., phrase)| {
+        [text(0..doing.start), phrase.to_owned(), text(doing.end..words.len())]
+            .into_iter()
+            .filter(|part| !part.is_empty())
+            .collect::<Vec<_>>()
+            .join(" ")
+            + "."
+    });
+    sentences.filter(|sentence| is_read(names, context, sentence)).collect()
+}
+
+fn quoted(sentences: &[String]) -> String {
+    sentences.iter().map(|sentence| format!("\"{sentence}\"")).collect::<Vec<_>>().join(" or ")
+}
+
+fn is_preposition(word: &str) -> bool {
+    WHERE.contains(&word) || ["to", "of", "for", "with", "from", "up", "out", "off"].contains(&word)
+}
+
+fn said_of(text: &str, words: &[SentenceWord]) -> String {
+    if words.is_empty() { String::new() } else { said(text, span_of(words)) }
+}
+
+/// What was probably meant, where one word is nearly a known one.
+fn slip(names: &HomeNames, doing: &[SentenceWord], spoken: &str) -> Option<String> {
     /// In a longer phrase, an unknown word is hardly a slip.
     const MOST_NEAR: usize = 5;
     let grammar = &names.lexicon.grammar;
     let is_known = |word: &str| grammar.known_word(word).is_some() || is_determiner(word) || names.is_word(word);
     let slip = doing.iter().find(|word| word.token == Token::Word && !is_known(&word.text));
-    if let Some(slip) = slip.filter(|_| doing.len() <= MOST_NEAR) {
-        let all = [Sort::Place, Sort::Room, Sort::Thing, Sort::Condition];
-        let near = nearest(&slip.text, names.of(&all));
-        let near = near.or_else(|| nearest(&slip.text, grammar.all_words().filter(|word| word.len() > 3)));
-        if let Some(near) = near {
-            return Some(Advice::meant(&spoken.replace(&slip.text, near)));
-        }
-    }
+    let slip = slip.filter(|_| doing.len() <= MOST_NEAR)?;
+    let meant = |near: &str| spoken.replace(&slip.text, near);
+    let of_home = nearest(&slip.text, names.of(&[Sort::Place, Sort::Room, Sort::Thing, Sort::Condition]));
+    let begins_known = |said: &String| all_phrases().iter().any(|phrase| said.starts_with(phrase.as_str()));
+    let near = || nearest(&slip.text, grammar.all_words().filter(|word| word.len() > 3)).map(meant);
+    of_home.map(meant).or_else(|| near().filter(begins_known))
+}
+
+/// What else the sentence needs.
+fn help_for(doing: &[SentenceWord], spoken: &str, can_be_new: bool) -> Option<Advice> {
+    const FEW: usize = 4;
     let verb = doing[0].text.as_str();
     if ["goes", "walks", "drives", "visits"].contains(&verb) {
         return Some("for what is outside, write \"she goes out at 10:00 for 2 hours\"".into());
     }
     let begins = format!("{verb} ");
-    let known = super::activities::all_phrases().iter().filter(|phrase| phrase.starts_with(&begins));
+    let known = all_phrases().iter().filter(|phrase| phrase.starts_with(&begins));
     let quoted: Vec<String> = known.take(FEW).map(|phrase| format!("{phrase:?}")).collect();
     if !quoted.is_empty() {
         return Some(format!("known activities are {}, ...", quoted.join(", ")).into());
+    }
+    // A word that may be a slip is no name of a new activity, and what is denied is none.
+    if !can_be_new || doing.iter().any(|word| denies(&word.text)) {
+        return None;
     }
     Some(format!("a new activity needs a place and a duration: \"she {spoken} in the armchair for 20 minutes\"").into())
 }

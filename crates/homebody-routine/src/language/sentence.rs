@@ -88,6 +88,8 @@ pub struct Budget {
 
 /// Steps for a refused sentence of a text that has used up its budget (our choice).
 const FEW_STEPS: usize = 10_000;
+/// Steps that the search for what was meant counts as, by its time (our choice).
+const STEPS_OF_HINTS: usize = 5_000;
 
 pub fn read(
     names: &HomeNames,
@@ -98,7 +100,7 @@ pub fn read(
 ) -> Reading {
     let (reading, steps) = with_steps(names, context, words, is_indented, budget);
     if let Reading::Refused(_) = &reading {
-        budget.left = budget.left.saturating_sub(steps);
+        budget.left = budget.left.saturating_sub(steps + STEPS_OF_HINTS);
     }
     reading
 }
@@ -137,7 +139,10 @@ fn best(names: &HomeNames, context: Context, tokens: &Tokens, chart: &mut Chart,
     };
     if item.skipped != 0 {
         let skipped: Vec<(u64, usize)> = best.iter().map(|(faults, _, item, _)| (item.skipped, *faults)).collect();
-        return Reading::Refused(refusal::left_out(names, context, tokens, &skipped));
+        let mut all = refusal::left_out(names, context, tokens, &skipped);
+        all.extend(item.faults.iter().flat_map(|faults| faults.iter().cloned()));
+        all.sort_by_key(|(span, _)| span.start);
+        return Reading::Refused(all);
     }
     if *faults > 0 {
         let mut all: Vec<(TextSpan, Diagnostic)> =
@@ -162,6 +167,20 @@ fn best(names: &HomeNames, context: Context, tokens: &Tokens, chart: &mut Chart,
     }
     let (_, _, _, built) = best.swap_remove(0);
     Reading::Meaning(Box::new(built))
+}
+
+/// Whether a sentence of the same routine has a meaning.
+pub fn is_read(names: &HomeNames, context: Context, text: &str) -> bool {
+    let words = words::of_name(text);
+    let tokens = Tokens::new(&words);
+    let span = span_of(&tokens.words);
+    let mut chart = chart(names, text, &tokens, false, MOST_STEPS);
+    chart.readings("Statement").iter().any(|item| match item.value.as_ref() {
+        Value::Statement(statement) if item.faults.is_none() => {
+            build(Context { text, ..context }, statement, span).faults.is_empty()
+        }
+        _ => false,
+    })
 }
 
 pub fn span_of(words: &[SentenceWord]) -> TextSpan {

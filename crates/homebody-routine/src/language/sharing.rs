@@ -14,7 +14,8 @@ use homebody_core::problem::Diagnostic;
 /// The clauses of a sentence, each with all of its parts.
 pub fn shared(front: &Parts, clauses: &[(Join, Clause)]) -> Result<Vec<Clause>, (TextSpan, Diagnostic)> {
     let mut all: Vec<Clause> = Vec::new();
-    let mut rest = clauses;
+    let clauses = of_visits(clauses);
+    let mut rest = &clauses[..];
     while let Some((_, first)) = rest.first() {
         let length = rest.iter().skip(1).position(|(join, _)| *join == Join::Then).map_or(rest.len(), |at| at + 1);
         let mut group: Vec<Clause> = Vec::new();
@@ -48,6 +49,22 @@ pub fn shared(front: &Parts, clauses: &[(Join, Clause)]) -> Result<Vec<Clause>, 
         rest = &rest[length..];
     }
     Ok(all)
+}
+
+/// "Visits on Sunday and cooks": what a visitor does without parts of its own happens during the visit before it.
+fn of_visits(clauses: &[(Join, Clause)]) -> Vec<(Join, Clause)> {
+    let mut all: Vec<(Join, Clause)> = Vec::new();
+    for (join, clause) in clauses {
+        let mut clause = clause.clone();
+        let is_work = matches!(clause.verb, Verb::Helps(..)) && clause.parts.is_empty() && *join == Join::And;
+        let visit = all.last().filter(|(_, last)| matches!(last.verb, Verb::Visits | Verb::Helps(..)));
+        if let Some((_, visit)) = visit.filter(|(_, visit)| is_work && visit.subject == clause.subject) {
+            clause.parts = visit.parts.clone();
+            clause.behind = visit.behind.clone();
+        }
+        all.push((*join, clause));
+    }
+    all
 }
 
 /// The clause before, with other parts.

@@ -145,7 +145,6 @@ pub enum Verb {
     Eats,
     /// Until when somebody stays in bed, or up.
     Stays(Activity),
-    SleepsAt,
     Own(String),
     Visits,
     Not(Act),
@@ -163,8 +162,6 @@ pub enum Verb {
     /// So many times a minute, while wandering.
     Stops(f64),
     Helps(Act, Help),
-    /// Done with the help of somebody.
-    HelpedBy(String, Act),
     VisitedBy(String),
     Falls(Falling),
     Goes,

@@ -77,6 +77,18 @@ fn habit(habit: &Habit) -> String {
     if habit.when.times != (1, 1) {
         text += &format!(" times {:?}", habit.when.times);
     }
+    if habit.when.is_total {
+        text += " in all";
+    }
+    if habit.when.nights > 0 {
+        text += &format!(" nights {}", habit.when.nights);
+    }
+    if habit.key {
+        text += " key";
+    }
+    if !habit.does.is_empty() {
+        text += &format!(" does {:?}", habit.does);
+    }
     text + phase(&habit.when.phase).as_str()
 }
 

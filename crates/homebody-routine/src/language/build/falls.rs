@@ -53,7 +53,6 @@ impl Builder<'_> {
             falling.from = FallsFrom::Bed;
             parts.place = None;
         }
-        let is_plain = falling == Falling::default() && !matches!(clause.verb, Verb::Falls(_));
-        (!is_plain).then_some(falling)
+        Some(falling)
     }
 }

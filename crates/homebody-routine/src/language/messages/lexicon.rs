@@ -52,11 +52,5 @@ homebody_core::messages! {
             text: String,
         } error "no-meaning" ("the line {text:?} does not give the meaning of its words")
             hint ("write the new words, then \"=>\" and known words: \"settee => sofa\"");
-        /// A phrase needs a first word that is always there, so that the reader finds the phrase by it.
-        NoFirstWord {
-            /// The phrase.
-            text: String,
-        } error "no-first-word" ("the first word of the phrase {text:?} can be missing")
-            hint ("begin with a verb, such as \"~water plants\", or with a word that is always there");
     }
 }

@@ -42,7 +42,8 @@ pub fn named(name: &str) -> Option<Production> {
         // "Usually falls at night": that is when most falls are.
         "clause_mostly" => |a| {
             let verb = a.one(as_verb)?;
-            let is_fall = matches!(&verb, Verb::Falls(_)) || matches!(&verb, Verb::Does(act) if act.activity == Activity::Fall);
+            let is_fall =
+                matches!(&verb, Verb::Falls(_)) || matches!(&verb, Verb::Does(act) if act.activity == Activity::Fall);
             let at = a.kids.iter().position(|kid| matches!(*kid.value, Value::PartOfDay(_)))?;
             let part = a.one(as_part)?;
             let mostly = Slot { value: part[0], span: a.kids[at].span, own: true };

@@ -155,7 +155,11 @@ pub fn named(name: &str) -> Option<Production> {
         },
         "for_days" => |a| {
             let days = whole_days(a)?;
-            parts(Parts { for_days: a.slot(days), ..Parts::default() })
+            let is_nights = a.words.last().is_some_and(|word| ["night", "nights"].contains(&word.text.as_str()));
+            parts(match is_nights {
+                true => Parts { nights: a.slot(days as u32), ..Parts::default() },
+                false => Parts { for_days: a.slot(days), ..Parts::default() },
+            })
         },
         "nothing" => |_| Some(Value::Parts(Box::default())),
         _ => return None,

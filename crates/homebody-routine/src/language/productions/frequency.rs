@@ -95,6 +95,10 @@ pub fn named(name: &str) -> Option<Production> {
         "rate" => rate,
         "rate_of" => |a| {
             let range = a.one(as_range)?;
+            // "Once every two weeks" is every two weeks.
+            if (range.from, range.to, range.about) == (1.0, 1.0, false) {
+                return None;
+            }
             let days: f64 = a.numbers().iter().chain(&a.number_constants()).product();
             rated(a, range, days)
         },

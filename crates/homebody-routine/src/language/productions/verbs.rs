@@ -156,6 +156,7 @@ pub fn named(name: &str) -> Option<Production> {
             let name = a.name()?;
             parts(Parts { place: a.slot(name), ..Parts::default() })
         },
+        "key" => |a| parts(Parts { key: a.slot(()), ..Parts::default() }),
         "floor" => |a| parts(Parts { floor: a.slot(()), ..Parts::default() }),
         "slowly" => |a| parts(Parts { slowly: a.slot(()), ..Parts::default() }),
         "fall_from" => |a| {
