@@ -22,6 +22,7 @@ mod residents;
 mod roles;
 mod rule_effects;
 mod stage;
+mod stated_first;
 mod statements_page;
 mod streams;
 mod untrained_writers;

@@ -36,6 +36,8 @@ pub struct Agenda {
     pub items: Vec<Item>,
     /// Interrupting activities, by start, including those of the night.
     pub breaks: Vec<Item>,
+    /// Keys of the activities that follow the rising.
+    pub(super) mornings: Vec<String>,
 }
 
 const MINUTE_S: f64 = 60.0;
@@ -91,7 +93,8 @@ impl Agenda {
         for item in items.iter_mut().filter(|item| waits(item) && !mornings.contains(&item.key)) {
             item.latest += ready - item.start;
             item.start = ready;
-            item.waits = true;
+            // One that follows another is not overdue.
+            item.waits = item.is_unsaid || item.follows.is_none();
         }
         one_meal_after_the_other(&mut items);
         items.sort_by_key(|item| item.start);
@@ -105,7 +108,7 @@ impl Agenda {
         let visits = bathroom.unwrap_or(2);
         let sleeps_at = sleeps_at(life, day).map(str::to_owned);
         let (bathroom_first, bathroom_last) = (visits > 0, visits > 1);
-        Agenda { day, up, bed, bed_follows, sleeps_at, next_up, bathroom_first, bathroom_last, items, breaks }
+        Agenda { day, up, bed, bed_follows, sleeps_at, next_up, bathroom_first, bathroom_last, items, breaks, mornings }
     }
 }
 

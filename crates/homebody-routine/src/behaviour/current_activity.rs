@@ -24,8 +24,12 @@ pub(super) struct Playing {
     pub(super) of: Option<SentenceId>,
     pub(super) since: RunTime,
     pub(super) walks: WalkPurpose,
+    /// The stated end, after which the rest is left out.
+    pub(super) until: Option<RunTime>,
     /// Leisure and company, which meals and medicine interrupt.
     pub(super) gives_way: bool,
+    /// Until when only stated meals interrupt it.
+    pub(super) undisturbed: RunTime,
     pub(super) is_essential: bool,
     /// The rule that it answers, and the remaining responses, the next last.
     pub(super) answers: Option<usize>,
@@ -62,16 +66,53 @@ pub(super) enum ActivityPart {
 }
 
 impl Playing {
+    /// An unplanned activity; the plan adds what it knows.
+    pub(super) fn new(steps: VecDeque<ActivityStep>, stream: Stream, name: &str) -> Playing {
+        Playing {
+            steps,
+            stream,
+            label: name.into(),
+            name: name.into(),
+            spot: None,
+            is_interrupted: false,
+            of: None,
+            since: RunTime::START,
+            walks: WalkPurpose::Need,
+            until: None,
+            gives_way: false,
+            undisturbed: RunTime::MIN,
+            is_essential: false,
+            answers: None,
+            still: Vec::new(),
+            stirs: true,
+            is_there: false,
+            waits: 0,
+            is_in_between: false,
+            guest: None,
+            hears_the_bell: false,
+        }
+    }
+
     /// By needs, meals and breaks of the plan.
     pub(super) fn may_be_interrupted(&self) -> bool {
         let may = |stay: &StayStep| matches!(stay.may, Interruptible::Interrupt | Interruptible::Yield);
         matches!(self.steps.front(), Some(ActivityStep::Stay(stay)) if may(stay))
     }
 
-    /// Only an expired stay is left, which is not resumed.
-    pub(super) fn is_nearly_over(&self, now: RunTime) -> bool {
-        let is_over = |stay: &StayStep| stay.until.is_some_and(|until| until <= now);
-        matches!(self.steps.front(), Some(ActivityStep::Stay(stay)) if self.steps.len() == 1 && is_over(stay))
+    /// Leaves out what is left, except for what is on, which is turned off, and the needs that it meets.
+    pub(super) fn end_early(&mut self, is_on: impl Fn(u32) -> bool) {
+        let mut way = None;
+        for step in std::mem::take(&mut self.steps) {
+            match step {
+                ActivityStep::Go(_) => way = Some(step),
+                ActivityStep::Act(thing, false) if is_on(thing) => {
+                    self.steps.extend(way.take().into_iter().chain([step]))
+                }
+                ActivityStep::Meet(_) => self.steps.push_back(step),
+                _ => {}
+            }
+        }
+        self.until = None;
     }
 }
 

@@ -51,7 +51,7 @@ pub struct Resolved {
 }
 
 /// Longest time that cooking takes in addition, for the ways between stove, sink and fridge (our choice).
-const TO_AND_FRO: Span = MINUTE.times(4);
+pub(super) const TO_AND_FRO: Span = MINUTE.times(4);
 
 /// Longest activity that may be done while food is on the stove (our choice).
 pub const SOON_DONE: Span = MINUTE.times(3);

@@ -241,8 +241,8 @@ impl RoutineDriver {
             }
             self.end_visit_without_guest();
             let Some(playing) = self.scripts.last_mut() else { continue };
-            if playing.is_interrupted && playing.is_nearly_over(now) {
-                playing.steps.clear();
+            if playing.until.is_some_and(|until| until <= now) {
+                playing.end_early(|thing| self.watches.is_on(thing));
             }
             if std::mem::take(&mut playing.is_interrupted) && !playing.steps.is_empty() {
                 if let Some(back) = playing.spot.clone() {
@@ -343,7 +343,8 @@ impl RoutineDriver {
             return;
         }
         let Some(ActivityStep::Stay(stay) | ActivityStep::Wait(stay)) = playing.steps.front_mut() else { return };
-        let mut end = now.saturating_add(stay.left).min(stay.until.unwrap_or(RunTime::NEVER));
+        let ends = [stay.until, playing.until].into_iter().flatten();
+        let mut end = ends.fold(now.saturating_add(stay.left), RunTime::min);
         if stay.may == Interruptible::Yield {
             end = end.min(next_start).min(bell_at);
         }
@@ -416,6 +417,8 @@ impl RoutineDriver {
         if let Some(playing) = self.scripts.last_mut() {
             (playing.of, playing.since) = (item.of, now);
             (playing.gives_way, playing.is_essential) = (gives_way, item.is_essential());
+            let is_firm = item.has_its_time && !item.waits && item.visitor.is_none();
+            playing.undisturbed = if is_firm { now + UNDISTURBED } else { RunTime::MIN };
         }
     }
 
@@ -454,10 +457,13 @@ impl RoutineDriver {
         }
         self.watches.forget(left);
         let walks = self.walks_for(item);
+        // An outing and a visit have steps after their end.
+        let has_a_way_out = steps.iter().any(ActivityStep::is_before_way_out);
         self.play(steps, stream, activity.label());
         self.watches.does(activity.label(), self.now, &self.life);
         if let Some(playing) = self.scripts.last_mut() {
             (playing.walks, playing.guest) = (walks, guest);
+            playing.until = until.filter(|_| !has_a_way_out);
             playing.hears_the_bell = matches!(activity, Activity::Eat(_) | Activity::Nap);
         }
     }
@@ -468,33 +474,12 @@ impl RoutineDriver {
                 stay.manner = stay.manner.with_numbers(&self.life.numbers);
             }
         }
-        let spot = None;
         // An interrupted activity resumes at its place.
         let here = self.body.spot().cloned();
         if let Some(below) = self.scripts.last_mut() {
             below.spot = below.spot.take().or(here);
         }
-        self.scripts.push(Playing {
-            steps,
-            stream,
-            label: name.into(),
-            name: name.into(),
-            spot,
-            is_interrupted: false,
-            of: None,
-            since: RunTime::START,
-            walks: WalkPurpose::Need,
-            gives_way: false,
-            is_essential: false,
-            answers: None,
-            still: Vec::new(),
-            stirs: true,
-            is_there: false,
-            waits: 0,
-            is_in_between: false,
-            guest: None,
-            hears_the_bell: false,
-        });
+        self.scripts.push(Playing::new(steps, stream, name));
     }
 
     /// Counts unplanned repetitions, so that each has its own random numbers. Spare time counts as relaxing.
@@ -561,6 +546,9 @@ impl RoutineDriver {
         self.ready.push_back(Next::Need(need, 0.0));
     }
 }
+
+/// Time that a stated activity at its time has before a meal that no sentence states interrupts it (our choice).
+const UNDISTURBED: Span = MINUTE.times(90);
 
 /// Longest visit without a meal of the host alone (our choice).
 const SHORT_VISIT: Span = MINUTE.times(45);

@@ -91,7 +91,9 @@ impl RoutineDriver {
         }
         // An activity that is nearly done is finished, but not resumed between cooking and eating.
         let is_next = self.at_table > item.start - 2 * GRACE;
-        Some((index, item.start + if is_next { Span::ZERO } else { GRACE }))
+        let due = item.start + if is_next { Span::ZERO } else { GRACE };
+        let undisturbed = self.scripts.last().filter(|_| item.waits).map(|playing| playing.undisturbed);
+        Some((index, undisturbed.map_or(due, |undisturbed| due.max(undisturbed))))
     }
 
     pub(super) fn interrupt(&mut self, now: RunTime) {

@@ -7,7 +7,6 @@ use super::driver::RoutineDriver;
 use super::item::Item;
 use super::manner::Manner;
 use super::places::HomePlace;
-use super::resident_routine::ResidentRoutine;
 use super::rising;
 use super::script::{ActivityStep, Interruptible, StayStep};
 use crate::routine::Activity;
@@ -83,11 +82,9 @@ impl RoutineDriver {
         } else {
             steps.push_back(ActivityStep::LieDown);
         }
-        // A stated time of lying awake replaces random wakings.
-        let is_said = self.agenda.breaks.iter().any(|item| {
-            let is_own = item.of.is_some_and(|of| of.source == ResidentRoutine::OWN);
-            item.activity == Activity::LieAwake && is_own && !item.has_its_time
-        });
+        // A stated frequency of lying awake replaces random wakings, also in the nights without.
+        let is_said =
+            [true, false].iter().any(|&night| self.life.says_how_often(&Activity::LieAwake, self.agenda.day, night));
         let awake_min = if is_said { 0.0 } else { self.life.constitution.awake_min };
         let bout_min = self.life.numbers.of(&AWAKE_BOUT_MIN);
         let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / bout_min)).map(|_| stream.unit()).collect();
@@ -139,6 +136,7 @@ impl RoutineDriver {
             self.begin(&Item::now("first thing".into(), Activity::UseBathroom, bathroom));
         }
         let rising = Span::from_seconds(self.life.stream_of_day(day, "rising").lognormal(120.0, 0.4));
+        self.agenda.rise(now + rising);
         self.begin(&Item::now("rising".into(), Activity::GetUp, rising));
     }
 
@@ -169,6 +167,8 @@ impl RoutineDriver {
         self.midnight = self.life.midnight(day);
         self.next_item = if was_away { self.agenda.items.partition_point(|item| item.start < now) } else { 0 };
         self.first_item = self.next_item;
+        // A meal that was cooked too late stays uneaten.
+        self.served = None;
         self.life.changes(day).for_each(|change| self.tally.hold(change));
         self.unplanned.clear();
         self.errands.wake();

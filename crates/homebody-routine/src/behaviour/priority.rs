@@ -1,5 +1,6 @@
 //! Priorities: activities with a time, then other stated ones, then unstated ones; and activities relative to others.
 
+use super::drafts::TO_AND_FRO;
 use super::driver::{GRACE, RoutineDriver};
 use super::item::{Following, Follows, Item};
 use super::resident_routine::SentenceId;
@@ -29,14 +30,22 @@ impl RoutineDriver {
         let (is_outing, gives_way) = (next.activity == Activity::Leave, next.activity.gives_way_to_meals());
         // With walks, it takes somewhat longer than planned.
         let end = now + next.lasts + if is_outing { 4 * MINUTE } else { 2 * MINUTE };
-        let fits_after = |item: &Item| item.start + item.lasts + next.lasts < bed;
+        // What is cooked is eaten at once, and a visitor is let in from the table.
+        let is_eaten = |item: &&Item| {
+            let meal = next.activity.of_same_meal().filter(|_| matches!(next.activity, Activity::Prepare(_)));
+            meal.as_ref() == Some(&item.activity) && item.visitor.is_none()
+        };
+        let at_table = rest.iter().find(is_eaten).map_or(Span::ZERO, |meal| TO_AND_FRO + meal.lasts);
+        let end_before = |item: &Item| if item.visitor.is_some() { end } else { end + at_table };
+        let fits_after = |item: &Item| item.start + item.lasts + next.lasts + at_table < bed;
         let is_timed = |item: &Item| {
             item.has_its_time && item.follows.is_none() && !(gives_way && item.is_essential()) && fits_after(item)
         };
         let is_said = |item: &Item| {
-            // Of overdue activities, only medicine counts.
-            let is_due = item.start >= now - GRACE || item.activity == Activity::TakeMedicine && item.latest >= now;
-            !item.waits && item.start < end && is_due && (next.waits || is_timed(item))
+            // A stated activity delays other stated ones only at its time, except for medicine.
+            let is_late = next.waits || item.activity == Activity::TakeMedicine;
+            let is_due = item.start >= now - GRACE || is_late && item.latest >= now;
+            !item.waits && item.start < end_before(item) && is_due && (next.waits || is_timed(item))
         };
         let is_meal = |item: &Item| is_outing && item.is_essential() && item.start < now + 2 * GRACE;
         let is_first = |item: &Item| is_said(item) || is_meal(item) && item.latest >= now;
@@ -81,7 +90,11 @@ impl RoutineDriver {
     pub(super) fn may_begin(&self, item: &Item, now: RunTime) -> bool {
         let Some(follows) = item.follows else { return true };
         match (self.ahead(follows.of), follows.how) {
-            (Some(_), Following::With) => self.expected_start(item, now, 0) <= now + GRACE,
+            // What the other waits for is over, too, such as the cooking before a meal.
+            (Some(with), Following::With) => {
+                let is_over = |before: Follows| before.how == Following::With || self.ahead(before.of).is_none();
+                with.follows.is_none_or(is_over) && self.expected_start(item, now, 0) <= now + GRACE
+            }
             (None, Following::With) => true,
             (Some(_), _) => false,
             (None, _) => item.activity.of_same_meal().is_some(),

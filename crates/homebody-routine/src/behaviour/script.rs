@@ -82,6 +82,13 @@ pub enum ActivityStep {
     Wake,
 }
 
+impl ActivityStep {
+    /// Whether its end is the beginning of a way out or home.
+    pub(super) fn is_before_way_out(&self) -> bool {
+        matches!(self, ActivityStep::Away { .. } | ActivityStep::Await { .. })
+    }
+}
+
 #[derive(Clone, Debug)]
 pub struct StayStep {
     pub posture: Posture,
@@ -210,10 +217,10 @@ impl StepBuilder<'_, '_> {
                 self.push(ActivityStep::Meet(BodilyNeed::Thirst));
             }
             Activity::WashUp => self.with_water(Role::Sink, place, lasts, Manner::BUSY),
-            Activity::WatchTelevision => self.watch_television(place, lasts, until),
-            Activity::Read => self.until(Role::Armchair, place, lasts, until, Manner::READING),
-            Activity::Phone => self.until(Role::Telephone, place, lasts, until, Manner::TALKING),
-            Activity::Nap => self.nap(place, lasts, until),
+            Activity::WatchTelevision => self.watch_television(place, lasts),
+            Activity::Read => self.at(Role::Armchair, place, lasts, Manner::READING, Interruptible::Interrupt),
+            Activity::Phone => self.at(Role::Telephone, place, lasts, Manner::TALKING, Interruptible::Interrupt),
+            Activity::Nap => self.nap(place, lasts),
             Activity::Laundry => self.laundry(lasts),
             Activity::Housework => self.housework(place, lasts),
             Activity::Leave => self.leave(activity.label(), lasts, until),
@@ -222,8 +229,8 @@ impl StepBuilder<'_, '_> {
             Activity::Drink => self.drink(lasts),
             Activity::Snack => self.snack(lasts),
             Activity::Exercise => self.at(Role::Armchair, place, lasts, Manner::BUSY, Interruptible::Interrupt),
-            Activity::UseComputer => self.until(Role::Desk, place, lasts, until, Manner::READING),
-            Activity::Relax => self.until(Role::Armchair, place, lasts, until, Manner::STILL),
+            Activity::UseComputer => self.at(Role::Desk, place, lasts, Manner::READING, Interruptible::Interrupt),
+            Activity::Relax => self.at(Role::Armchair, place, lasts, Manner::STILL, Interruptible::Interrupt),
             Activity::Wander => self.push(ActivityStep::Wander { kind: WanderStyle::Random, lasts }),
             Activity::Pace => self.push(ActivityStep::Wander { kind: WanderStyle::Pacing, lasts }),
             Activity::Lap => self.push(ActivityStep::Wander { kind: WanderStyle::Lapping, lasts }),
@@ -244,12 +251,12 @@ impl StepBuilder<'_, '_> {
                 let spot = place.or_else(|| self.setting.places.for_role(role)).cloned();
                 let posture = spot.as_ref().map_or(Posture::Standing, |spot| spot.posture);
                 let manner = if posture == Posture::Standing { Manner::BUSY } else { Manner::READING };
-                self.until(role, spot.as_ref(), lasts, until, manner);
+                self.at(role, spot.as_ref(), lasts, manner, Interruptible::Interrupt);
             }
             Activity::Other(_) => {
                 let posture = place.map_or(Posture::Standing, |spot| spot.posture);
                 let manner = if posture == Posture::Standing { Manner::BUSY } else { Manner::READING };
-                self.until(Role::Armchair, place, lasts, until, manner);
+                self.at(Role::Armchair, place, lasts, manner, Interruptible::Interrupt);
             }
         }
     }
@@ -287,13 +294,6 @@ impl StepBuilder<'_, '_> {
     fn at(&mut self, role: Role, place: Option<&HomePlace>, lasts: Span, manner: Manner, may: Interruptible) {
         let posture = self.go(role, place);
         self.stay(posture, manner, lasts, may);
-    }
-
-    /// A stay that can be interrupted, until a time of day if stated.
-    fn until(&mut self, role: Role, place: Option<&HomePlace>, lasts: Span, until: Option<RunTime>, manner: Manner) {
-        let posture = self.go(role, place);
-        let left = if until.is_some() { Span::MAX / 4 } else { lasts };
-        self.push(ActivityStep::Stay(StayStep { posture, manner, left, until, may: Interruptible::Interrupt }));
     }
 
     /// A random span around a median.
@@ -412,8 +412,8 @@ impl StepBuilder<'_, '_> {
         span.max(SECOND)
     }
 
-    fn watch_television(&mut self, place: Option<&HomePlace>, lasts: Span, until: Option<RunTime>) {
-        self.until(Role::Armchair, place, lasts, until, Manner::STILL);
+    fn watch_television(&mut self, place: Option<&HomePlace>, lasts: Span) {
+        self.at(Role::Armchair, place, lasts, Manner::STILL, Interruptible::Interrupt);
         // Turned on after sitting down.
         let sitting = self.steps.pop_back();
         self.act(Role::Television, true);
@@ -421,20 +421,12 @@ impl StepBuilder<'_, '_> {
         self.act(Role::Television, false);
     }
 
-    fn nap(&mut self, place: Option<&HomePlace>, lasts: Span, until: Option<RunTime>) {
+    fn nap(&mut self, place: Option<&HomePlace>, lasts: Span) {
         let role = if self.setting.stream.chance(0.5) { Role::Bed } else { Role::Armchair };
         // Met at the start, so that a nap is not followed by one from tiredness.
         self.push(ActivityStep::Meet(BodilyNeed::Tiredness));
-        let posture = self.go(role, place);
-        let left = if until.is_some() { Span::MAX / 4 } else { lasts };
         // A nap is not interrupted by thirst and other needs.
-        self.push(ActivityStep::Stay(StayStep {
-            posture,
-            manner: Manner::ASLEEP,
-            left,
-            until,
-            may: Interruptible::Rules,
-        }));
+        self.at(role, place, lasts, Manner::ASLEEP, Interruptible::Rules);
     }
 
     fn laundry(&mut self, lasts: Span) {

@@ -90,15 +90,14 @@ impl RoutineDriver {
         let (activity, minutes, share) = &self.filler(now, errands, &mut stream);
         if gap < 3 * MINUTE {
             let posture = self.body.posture();
-            let stay = StayStep {
-                posture,
-                manner: Manner::STILL,
-                left: gap.max(SECOND),
-                until: Some(until.max(now + SECOND)),
-                may: Interruptible::Interrupt,
-            };
+            let left = gap.max(SECOND);
+            let stay = StayStep { posture, manner: Manner::STILL, left, until: None, may: Interruptible::Interrupt };
             let steps = [ActivityStep::Name(Activity::Relax.label().into()), ActivityStep::Stay(stay)];
-            return self.play(steps.into(), stream, Activity::Relax.label());
+            self.play(steps.into(), stream, Activity::Relax.label());
+            if let Some(playing) = self.scripts.last_mut() {
+                playing.until = Some(now + left);
+            }
+            return;
         }
         let lasts_s = stream.lognormal(minutes * 60.0, self.life.numbers.of(&SPREAD));
         // More errands leave less sitting time between them.

@@ -88,6 +88,8 @@ pub struct Simulated {
     pub events: Events,
     pub activities: Vec<(Interval<RunTime>, String)>,
     pub places: Vec<(String, Point)>,
+    /// By index, as in facts.
+    pub things: Vec<String>,
 }
 
 impl Simulated {
@@ -97,7 +99,10 @@ impl Simulated {
 
     /// With values that no sentence gives.
     pub fn of_changed(routine: &str, days: i64, change: impl FnOnce(&mut Routine)) -> Simulated {
-        let mut files = files(routine, &[]);
+        Simulated::of_files(files(routine, &[]), days, change)
+    }
+
+    pub fn of_files(mut files: BTreeMap<String, String>, days: i64, change: impl FnOnce(&mut Routine)) -> Simulated {
         let scenario = files["scenario.json"].replace("America/Chicago", "UTC").replace("2009-03-02", "2009-01-05");
         files.insert("scenario.json".into(), scenario);
         let (scenario, household) = household(&files, &[]).unwrap_or_else(|problems| panic!("{problems}"));
@@ -106,12 +111,21 @@ impl Simulated {
         let household = household.with_routine(0, routine);
         let events = events(Run::new(&scenario, &household, 11, days * DAY), DAY);
         let activities = activities(&events, 0, days * DAY);
-        Simulated { days, events, activities, places: scenario.home.plan().places.clone() }
+        let plan = scenario.home.plan();
+        let things = plan.things.iter().map(|thing| thing.name.clone()).collect();
+        Simulated { days, events, activities, places: plan.places.clone(), things }
     }
 
     /// The times of an activity.
     pub fn of<'a>(&'a self, name: &'a str) -> impl Iterator<Item = Interval<RunTime>> + 'a {
         self.activities.iter().filter(move |(_, what)| what == name).map(|(time, _)| *time)
+    }
+
+    /// The first beginning of an activity on each day that has it.
+    pub fn firsts(&self, name: &str) -> Vec<RunTime> {
+        let mut all: Vec<RunTime> = self.of(name).map(|one| one.begin).collect();
+        all.dedup_by_key(|at| day(*at));
+        all
     }
 
     /// How far the first resident walks on each day.

@@ -1,0 +1,273 @@
+//! What a statement says comes before what is only usual: at its time, to its end, and as often as said.
+
+use crate::stage::{Simulated, day, files, hour};
+use homebody_core::event::Fact;
+use homebody_core::time::{Interval, MINUTE, RunTime, SECOND, Span};
+
+const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe goes to bed at 22:30.\n";
+const LATE_RISER: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 10:15.\nShe goes to bed at 01:15.\n";
+
+fn simulate(base: &str, said: &str, days: i64) -> Simulated {
+    Simulated::new(&format!("{base}{said}\n"), days)
+}
+
+/// The share of times within some minutes of an hour of the day.
+fn share_at(times: &[RunTime], at: f64, within_min: f64) -> f64 {
+    times.iter().filter(|time| ((hour(**time) - at) * 60.0).abs() <= within_min).count() as f64 / times.len() as f64
+}
+
+/// Minutes from the last end of an activity, on the same day, to each of these times.
+fn minutes_after(lived: &Simulated, name: &str, times: &[RunTime]) -> Vec<f64> {
+    let last = |at: RunTime| lived.of(name).map(|one| one.end).filter(|end| *end <= at + SECOND).max();
+    let of_day = |at: &RunTime| last(*at).filter(|end| day(*end) == day(*at)).map(|end| (*at - end).ratio(MINUTE));
+    times.iter().filter_map(of_day).collect()
+}
+
+#[test]
+fn a_usual_meal_with_its_preparation_leaves_a_stated_time_free() {
+    for (said, name, at) in [
+        ("She makes her bed at 8:30.", "housework", 8.5),
+        ("She prays from 18:25 until 19:25.", "praying", 18.0 + 25.0 / 60.0),
+        ("She takes her medicine at 12:30.", "taking_medicine", 12.5),
+    ] {
+        let lived = simulate(BASE, said, 60);
+        let times = lived.firsts(name);
+        let share = share_at(&times, at, 8.0);
+        assert!(times.len() >= 59 && share > 0.93, "{said} {share} of {}", times.len());
+        for meal in ["breakfast", "lunch", "dinner"] {
+            let eaten = lived.firsts(&format!("eating_{meal}")).len();
+            assert!(eaten >= 57, "{said} {meal} on {eaten} days");
+        }
+    }
+}
+
+#[test]
+fn a_stated_meal_does_not_wait_for_a_stated_time() {
+    // Both are said, so the meal, which began first, is eaten as it is cooked.
+    let said = "She prepares breakfast at 08:05 for 15 minutes, then eats for 20 minutes.\nShe makes her bed at 8:30.";
+    let lived = simulate(BASE, said, 40);
+    assert!(share_at(&lived.firsts("preparing_breakfast"), 8.0 + 5.0 / 60.0, 8.0) > 0.93);
+    assert!(share_at(&lived.firsts("housework"), 8.5, 8.0) < 0.3);
+}
+
+#[test]
+fn a_stated_pastime_is_left_for_a_usual_meal_only_if_it_is_long() {
+    let broken = |said: &str, name: &str| {
+        let lived = simulate(BASE, said, 40);
+        let dinner: Vec<RunTime> = lived.firsts("preparing_dinner");
+        let spans: Vec<Interval<RunTime>> = lived.of(name).filter(|one| hour(one.begin) > 16.5).collect();
+        let is_broken = |of: i64| {
+            let of_day = || spans.iter().filter(|one| day(one.begin) == of);
+            let (Some(first), Some(last)) = (of_day().next(), of_day().next_back()) else { return false };
+            dinner.iter().any(|at| (first.begin..last.begin).contains(at))
+        };
+        (0..40).filter(|&day| is_broken(day)).count()
+    };
+    assert_eq!(broken("She prays from 17:05 until 18:15.", "praying"), 0);
+    // Nobody plays for five hours without dinner.
+    assert!(broken("She plays the piano from 17:05 until 22:00.", "making_music") > 30);
+}
+
+#[test]
+fn an_activity_is_over_at_its_stated_end() {
+    let noon = "She prepares lunch at 12:00 for 25 minutes, then eats for 25 minutes.\n";
+    for (said, name) in [
+        ("She exercises from 11:15 until 13:00.", "exercising"),
+        ("She does the housework from 11:15 until 13:00.", "housework"),
+        ("She does the laundry from 11:50 until 12:10.", "laundry"),
+        ("She reads from 11:15 until 13:00.", "reading"),
+        ("She watches television from 11:15 until 13:00.", "watching_television"),
+        ("She prays from 11:15 until 12:30.", "praying"),
+    ] {
+        let until = if said.contains("12:10") {
+            12.0 + 10.0 / 60.0
+        } else if said.contains("12:30") {
+            12.5
+        } else {
+            13.0
+        };
+        let lived = simulate(BASE, &format!("{noon}{said}"), 40);
+        let noon = lived.of(name).filter(|one| (11.0..13.0).contains(&hour(one.begin)));
+        // The end itself varies by up to 5 minutes.
+        let late: Vec<f64> = noon.map(|one| (hour(one.end) - until) * 60.0).filter(|late| *late > 6.0).collect();
+        assert!(lived.firsts(name).len() >= 39 && late.is_empty(), "{said} {late:.1?} min");
+    }
+    // A length has no end, so what a meal interrupts is done after it.
+    let lived = simulate(BASE, &format!("{noon}She exercises at 11:15 for 105 minutes."), 40);
+    let after = lived.of("exercising").filter(|one| hour(one.end) > 13.2).count();
+    assert!(after > 30, "on {after} of 40 days");
+}
+
+#[test]
+fn what_was_turned_on_is_off_after_the_stated_end() {
+    let said = "She prepares lunch at 12:00 for 25 minutes, then eats for 25 minutes.\n\
+                She watches television from 11:15 until 12:40.\nShe takes a shower from 09:00 until 09:12.";
+    let lived = simulate(BASE, said, 40);
+    for (thing, from, to) in [("TV bench", 12.0, 13.3), ("shower", 9.0, 9.4)] {
+        let on = lived.on(thing);
+        let of_then = on.iter().filter(|one| hour(one.begin) < from + 0.4 && hour(one.end) > from);
+        let late: Vec<f64> = of_then.map(|one| hour(one.end)).filter(|end| *end > to).collect();
+        assert!(on.len() >= 39 && late.is_empty(), "{thing} {late:.2?}");
+    }
+}
+
+impl Simulated {
+    /// The times in which a thing is on.
+    fn on(&self, thing: &str) -> Vec<Interval<RunTime>> {
+        let mut all: Vec<Interval<RunTime>> = Vec::new();
+        let mut since = None;
+        for fact in &self.events.facts {
+            let Fact::Use { at, act, .. } = fact else { continue };
+            if self.things[act.thing.index()] != thing {
+                continue;
+            }
+            match (act.on, since) {
+                (true, None) => since = Some(*at),
+                (false, Some(begin)) => {
+                    all.push(Interval::new(begin, *at));
+                    since = None;
+                }
+                _ => {}
+            }
+        }
+        all
+    }
+
+    /// The share of nights with an activity between bedtime and rising.
+    fn nights_with(&self, name: &str) -> f64 {
+        let noon = |at: RunTime| day(at - 12 * 60 * MINUTE);
+        let mut nights: Vec<i64> =
+            self.of(name).filter(|one| !(8.0..22.0).contains(&hour(one.begin))).map(|one| noon(one.begin)).collect();
+        nights.dedup();
+        nights.len() as f64 / self.days as f64
+    }
+}
+
+#[test]
+fn a_night_awake_is_as_frequent_as_stated() {
+    for (said, least, most) in [
+        ("Often she lies awake at night for 30 minutes.", 0.55, 0.85),
+        ("On 30 % of nights she lies awake for 30 minutes.", 0.17, 0.43),
+        ("Every night she lies awake for 30 minutes.", 0.95, 1.0),
+    ] {
+        let share = simulate(BASE, said, 90).nights_with("lying_awake");
+        assert!((least..=most).contains(&share), "{said} {share}");
+    }
+    // Nights of which nothing is said have wakings as usual.
+    assert!(simulate(BASE, "", 90).nights_with("lying_awake") > 0.85);
+    let share = simulate(BASE, "She lies awake at 03:00 on Sunday for 30 minutes.", 90).nights_with("lying_awake");
+    assert!(share > 0.85, "{share}");
+}
+
+#[test]
+fn what_follows_another_activity_comes_right_after_it() {
+    for (base, said, name, after, gap, days) in [
+        (
+            LATE_RISER,
+            "She goes out after breakfast on Monday and Sunday for 2 hours.",
+            "leaving_home",
+            "eating_breakfast",
+            0.0,
+            70,
+        ),
+        (LATE_RISER, "She naps after breakfast on Monday and Wednesday.", "napping", "eating_breakfast", 0.0, 70),
+        (BASE, "She paces 10 minutes after she gets up for 5 to 25 minutes.", "pacing", "getting_up", 10.0, 90),
+        (BASE, "She bakes a cake 30 minutes after she gets up.", "baking", "getting_up", 30.0, 90),
+        (BASE, "She plays the piano after lunch for 40 minutes.", "making_music", "eating_lunch", 0.0, 60),
+    ] {
+        let lived = simulate(base, said, days);
+        let firsts = lived.firsts(name);
+        let outings = |at: &RunTime| name != "leaving_home" || [0, 6].contains(&(day(*at) % 7));
+        let firsts: Vec<RunTime> = firsts.into_iter().filter(outings).collect();
+        let gaps = minutes_after(&lived, after, &firsts);
+        // A visit to the bathroom may come first.
+        let in_time = gaps.iter().filter(|by| (gap - 3.0..gap + 13.0).contains(*by)).count();
+        assert!(gaps.len() >= 19 && in_time * 10 >= gaps.len() * 9, "{said} {in_time} of {gaps:.0?}");
+    }
+}
+
+#[test]
+fn a_usual_outing_leaves_room_for_a_stated_part_of_the_day() {
+    let said = "Her son visits at 17:05 for 100 minutes.\nShe does the laundry in the afternoon for 15 minutes.";
+    let lived = simulate(BASE, said, 60);
+    let late: Vec<f64> = lived.firsts("laundry").iter().map(|at| hour(*at)).filter(|at| *at > 19.2).collect();
+    assert!(lived.firsts("laundry").len() >= 58 && late.is_empty(), "{late:.1?}");
+    // She still goes out as usual.
+    assert!(lived.firsts("leaving_home").len() > 40);
+}
+
+#[test]
+fn what_goes_with_a_meal_comes_as_the_meal_begins() {
+    for (base, said, name, meal) in [
+        (
+            LATE_RISER,
+            "She eats lunch at 12:45.\nShe checks her blood pressure with lunch for 5 minutes.",
+            "checking_health",
+            "eating_lunch",
+        ),
+        (
+            LATE_RISER,
+            "She writes letters at 10:40 for 35 minutes.\nShe takes her pills with breakfast.",
+            "taking_medicine",
+            "eating_breakfast",
+        ),
+        (
+            BASE,
+            "She goes out at 10:00 for 3 hours.\nShe takes her pills with lunch.",
+            "taking_medicine",
+            "eating_lunch",
+        ),
+    ] {
+        let lived = simulate(base, said, 60);
+        let taken: Vec<Interval<RunTime>> = lived.of(name).collect();
+        let waits: Vec<f64> = taken
+            .iter()
+            .filter_map(|one| {
+                let meal = lived.of(meal).map(|meal| meal.begin).find(|begin| *begin + SECOND >= one.end)?;
+                Some((meal - one.end).ratio(MINUTE)).filter(|_| day(meal) == day(one.end))
+            })
+            .collect();
+        let in_time = waits.iter().filter(|by| **by < 15.0).count();
+        assert!(waits.len() >= 55 && in_time * 20 >= waits.len() * 19, "{said} {in_time} of {waits:.0?}");
+    }
+}
+
+#[test]
+fn a_forgotten_stove_stays_on_in_a_home_of_one_room() {
+    let meals = "She prepares lunch at 12:00 for 25 minutes, then eats for 25 minutes.\n";
+    let long = |said: &str, (home, logger): (&str, &str)| {
+        let files = files(&format!("{BASE}{meals}{said}"), &[("home.json", home), ("logger.json", logger)]);
+        let lived = Simulated::of_files(files, 60, |_| {});
+        let ends: Vec<RunTime> = lived.of("preparing_lunch").map(|one| one.end).collect();
+        let on = lived.on("stove");
+        let left = |end: &&RunTime| on.iter().any(|one| one.begin < **end && one.end > **end + 3 * MINUTE);
+        let longest = on.iter().map(|one| one.length()).fold(Span::ZERO, Span::max);
+        (ends.iter().filter(left).count() as f64 / ends.len() as f64, longest)
+    };
+    let studio =
+        (include_str!("../../../scenarios/studio/home.json"), include_str!("../../../scenarios/studio/logger.json"));
+    let (share, longest) = long("She forgets the stove on 50 % of occasions.", studio);
+    assert!((0.3..0.7).contains(&share), "{share}");
+    // It is seen on the way back from another room.
+    assert!(longest < 6 * 60 * MINUTE, "{longest}");
+    let (share, _) = long("", studio);
+    assert_eq!(share, 0.0);
+    let apartment = (
+        include_str!("../../../scenarios/tigerplace/home.json"),
+        include_str!("../../../scenarios/tigerplace/logger.json"),
+    );
+    let (share, _) = long("She forgets the stove on 50 % of occasions.", apartment);
+    assert!((0.3..0.7).contains(&share), "{share}");
+}
+
+#[test]
+fn a_meal_cooked_too_late_does_not_stop_the_days_after() {
+    let lived = simulate(BASE, "On Monday she prepares dinner at 22:05 for 40 minutes, then eats for 40 minutes.", 40);
+    let late = lived.firsts("preparing_dinner").iter().filter(|at| hour(**at) > 21.5).count();
+    let uneaten = lived.firsts("eating_dinner").len();
+    assert!(late >= 5 && uneaten <= 35, "{late} cooked, {uneaten} eaten");
+    for name in ["eating_breakfast", "preparing_lunch", "eating_lunch"] {
+        let days = lived.firsts(name).len();
+        assert!(days >= 39, "{name} on {days} days");
+    }
+}
