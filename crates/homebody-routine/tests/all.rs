@@ -18,6 +18,7 @@ mod mutations;
 mod own_days;
 mod page;
 mod reach;
+mod random_statements;
 mod residents;
 mod roles;
 mod rule_effects;
