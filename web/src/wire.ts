@@ -962,7 +962,11 @@ round: number,
 /**
  * The model and its address, without a key.
  */
-model: string | null, rounds: Array<RoundView>, 
+model: string | null, 
+/**
+ * A warning that others can read the key on its way, in sentences.
+ */
+warning: string | null, rounds: Array<RoundView>, 
 /**
  * The next prompt for an assistant; null if nothing more is to be asked.
  */

@@ -66,6 +66,7 @@ impl FreeTextService {
             state: FreeTextState::Beginning,
             round: 1,
             model: None,
+            warning: None,
             rounds: Vec::new(),
             prompt: None,
             lines: Vec::new(),
@@ -139,7 +140,8 @@ impl FreeTextService {
             }
             Answerer::Model { url, name, key } => {
                 let server = ModelServer::chosen(&ModelChoice { url, name, key, timeout: USUAL_TIMEOUT })?;
-                self.update(|view| view.model = Some(server.name()));
+                let warning = server.warning().map(|warning| sentence(&warning.diagnostic()));
+                self.update(|view| (view.model, view.warning) = (Some(server.name()), warning));
                 conversation.converse(&server, |stage, rounds| {
                     let rounds = rounds.iter().map(round_view).collect();
                     self.update(|view| view.rounds = rounds);

@@ -43,6 +43,8 @@ pub struct FreeTextView {
     pub round: u32,
     /// The model and its address, without a key.
     pub model: Option<String>,
+    /// A warning that others can read the key on its way, in sentences.
+    pub warning: Option<String>,
     pub rounds: Vec<RoundView>,
     /// The next prompt for an assistant; null if nothing more is to be asked.
     pub prompt: Option<String>,

@@ -26,8 +26,8 @@ export class FreeText {
   accepted = $state<boolean[]>([]);
   /** Statements of accepted lines that are only comments. */
   lost = $state.raw<string[]>([]);
-  /** The answers of an assistant so far. */
-  answers = $state.raw<string[]>([]);
+  /** What this page has asked for last: a page that was loaded anew has none. */
+  request = $state.raw<Pick<FreeTextRequest, 'text' | 'by'> | null>(null);
   private asked = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -38,6 +38,17 @@ export class FreeText {
 
   get isRunning(): boolean {
     return this.view !== null && ['beginning', 'asking', 'checking'].includes(this.view.state);
+  }
+
+  /** The answers of an assistant, while the conversation is by hand. */
+  get answers(): string[] | null {
+    return this.request?.by.kind === 'assistant' ? this.request.by.answers : null;
+  }
+
+  /** Sends the next answer of the assistant, about the text of its prompt. */
+  async answer(answer: string): Promise<void> {
+    if (this.request === null || this.answers === null) return;
+    await this.ask(this.request.text, { kind: 'assistant', answers: [...this.answers, answer] });
   }
 
   get usable(): number {
@@ -58,7 +69,7 @@ export class FreeText {
   async ask(text: string, by: Answerer): Promise<void> {
     const asked = ++this.asked;
     [this.problem, this.lost] = ['', []];
-    this.answers = by.kind === 'assistant' ? by.answers : [];
+    this.request = { text, by };
     try {
       this.take(await this.drafts.server.post<FreeTextView>(PATH, { draft: this.drafts.draft, file: this.file, text, by } satisfies FreeTextRequest), asked);
     } catch (error) {

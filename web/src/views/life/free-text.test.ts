@@ -15,7 +15,7 @@ const line = (source: string, text: string, refused: string | null = null): Free
   statements: [{ text, refused, difference: null, sentences: refused === null ? [{ line: 1, said: text, kind: 'habit', what: 'naps', days: 'p 0.5', when: 'after: lunch', start_s: null, lasts_s: [2160, 2400, 2640], in_words: `Canonically, ${text}` }] : [] }],
 });
 
-const VIEW: FreeTextView = { number: 1, file: '0.routine', state: 'done', round: 1, model: null, rounds: [], prompt: null, lines: [], left_out: [], run_stops: null, problem: null };
+const VIEW: FreeTextView = { number: 1, file: '0.routine', state: 'done', round: 1, model: null, warning: null, rounds: [], prompt: null, lines: [], left_out: [], run_stops: null, problem: null };
 
 const LINES = { ...VIEW, lines: [line('She naps.', 'she naps after lunch.'), line('She frobs.', 'she frobs.', 'unknown verb')], left_out: ['She sings.'], rounds: [{ problems: ['"she frobs." is refused'], differences: [] }] };
 
@@ -62,7 +62,7 @@ afterEach(async () => {
 });
 
 test('a model is asked, its rounds are shown, and nothing is written before rows are put', async () => {
-  await begin(null, { ...VIEW, state: 'beginning' }, { ...VIEW, state: 'asking', model: 'small at http://a/v1' }, { ...VIEW, state: 'checking', round: 2, model: 'small at http://a/v1' }, LINES);
+  await begin(null, { ...VIEW, state: 'beginning' }, { ...VIEW, state: 'asking', model: 'small at http://a/v1', warning: 'The key is sent without encryption.' }, { ...VIEW, state: 'checking', round: 2, model: 'small at http://a/v1' }, LINES);
   expect(button('Make sentences').disabled).toBe(true);
   write(area('free-text') as unknown as HTMLInputElement, 'She naps. She frobs. She sings.');
   expect(fieldOf('Key').disabled).toBe(true);
@@ -78,11 +78,12 @@ test('a model is asked, its rounds are shown, and nothing is written before rows
   await vi.advanceTimersByTimeAsync(450);
   flushSync();
   expect(document.body.textContent).toContain('Round 1 of at most 4: the model writes');
+  expect(document.body.textContent).toContain('without encryption');
   await vi.advanceTimersByTimeAsync(450);
   flushSync();
   expect(document.body.textContent).toContain('Round 2 of at most 4: checking');
   await settle(100);
-  expect(document.body.textContent).toContain('Round 1: 1 problem, 0 sentences');
+  expect(document.body.textContent).toContain('Round 1: 1 problem.');
   const rows = document.querySelector('[aria-label="Text and sentences"]')!;
   expect(rows.textContent).toContain('Canonically, she naps after lunch.');
   expect(rows.textContent).toContain('50 % · after: lunch · 40 min');
@@ -122,6 +123,22 @@ test('an assistant is asked by hand, round by round', async () => {
   expect((asked.at(-1)!.body as FreeTextRequest).by).toEqual({ kind: 'assistant', answers: ['{"lines": []}'] });
   expect([area('free-text-prompt').value, area('free-text-answer').value]).toEqual(['the next prompt', '']);
   expect(boxes()).toHaveLength(2);
+  // An answer is about the text of its prompt, and a model has no prompt to paste.
+  write(area('free-text') as unknown as HTMLInputElement, 'Another text.');
+  write(area('free-text-answer') as unknown as HTMLInputElement, '[]');
+  button('Read the answer').click();
+  await settle();
+  expect(asked.at(-1)!.body).toMatchObject({ text: 'She naps.', by: { answers: ['{"lines": []}', '[]'] } });
+  fieldOf('A language model').click();
+  flushSync();
+  expect(area('free-text-prompt')).toBeNull();
+});
+
+test('a page that was loaded anew takes no answer to a prompt that it has not shown', async () => {
+  await begin({ ...LINES, prompt: 'the next prompt' });
+  fieldOf('Any assistant, by copy and paste').click();
+  flushSync();
+  expect([area('free-text-prompt'), boxes().length]).toEqual([null, 2]);
 });
 
 test('a text on its way is cancelled, and one of an earlier page is shown', async () => {
