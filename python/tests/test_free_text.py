@@ -96,7 +96,7 @@ def test_a_model_is_asked_until_nothing_is_wrong(home: hb.Scenario) -> None:
     assert (statement["kind"], statement["activity"]) == ("habit", "napping")
     assert life.cannot_be_said == feeling.cannot_be_said == ["a feeling"]
     assert (life.problems, life.left_out, life.prompt) == ([], [], None)
-    # What is read is what a statement says, and the sentence is canonical.
+    # A statement makes the sentence that was shown beside it.
     assert hb.life(statement).replace("She", "He").replace("she", "he") == nap.statements[0].sentences[0] + "\n"
     assert "Walter gets up at seven." in str(life) and "2 of 3 rows" in repr(life)
     # The routine is one that the reader of routines understands, with the sources as comments.

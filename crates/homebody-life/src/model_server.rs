@@ -40,7 +40,7 @@ const MOST_MODELS: usize = 12;
 /// Interval at which a request looks whether it was cancelled (our choice).
 const LOOK_EVERY: Duration = Duration::from_millis(50);
 
-/// The server and the model that somebody chose. It has no `Debug`, which would print the key.
+/// The choice of a server and a model. It has no `Debug`, which would print the key.
 #[derive(Clone)]
 pub struct ModelChoice {
     /// `None` for the first of [`LOCAL_SERVERS`] that answers.
