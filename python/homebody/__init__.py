@@ -17,10 +17,12 @@ from homebody.errors import (
     HomebodyError,
     LogError,
     MissingPackage,
+    ModelError,
     Problem,
     ScenarioError,
     Stopped,
 )
+from homebody.free_text import ConversationRound, DraftRow, DraftStatement, FreeTextLife, life_from, life_prompt
 from homebody.live import Live
 from homebody.log import Comparison, Log, compare, read, translate
 from homebody.picture import Answer, Picture
@@ -35,15 +37,20 @@ __all__ = [
     "ClusterError",
     "Cohort",
     "Comparison",
+    "ConversationRound",
     "Doing",
+    "DraftRow",
+    "DraftStatement",
     "Driver",
     "DriverError",
     "Exists",
+    "FreeTextLife",
     "HomebodyError",
     "Live",
     "Log",
     "LogError",
     "MissingPackage",
+    "ModelError",
     "Picture",
     "Plan",
     "Problem",
@@ -65,6 +72,8 @@ __all__ = [
     "draw",
     "habit",
     "life",
+    "life_from",
+    "life_prompt",
     "read",
     "scenario",
     "sleep",

@@ -66,6 +66,10 @@ class LogError(HomebodyError):
     """A log or a truth cannot be read or written."""
 
 
+class ModelError(HomebodyError):
+    """A language model does not answer, or none of its answers can be used."""
+
+
 class DriverError(HomebodyError):
     """A driver returned an impossible step."""
 

@@ -926,6 +926,112 @@ export type ConditionView = { name: string,
  */
 severity: Array<number>, sentences: Array<SentenceView>, };
 
+export type FreeTextRequest = { draft: Draft, 
+/**
+ * The routine of the resident.
+ */
+file: string, text: string, by: Answerer, };
+
+export type Answerer = { "kind": "model", 
+/**
+ * Null for a server on the machine of Homebody.
+ */
+url: string | null, 
+/**
+ * The name of the model; null for the only one of the server.
+ */
+name: string | null, 
+/**
+ * It goes to the address of `url` only, and is not stored.
+ */
+key: string | null, } | { "kind": "assistant", answers: Array<string>, };
+
+export type FreeTextView = { 
+/**
+ * Each text has another.
+ */
+number: number, 
+/**
+ * The routine of the resident.
+ */
+file: string, state: FreeTextState, 
+/**
+ * The round that is at work, from 1.
+ */
+round: number, 
+/**
+ * The model and its address, without a key.
+ */
+model: string | null, 
+/**
+ * A warning that others can read the key on its way, in sentences.
+ */
+warning: string | null, rounds: Array<RoundView>, 
+/**
+ * The next prompt for an assistant; null if nothing more is to be asked.
+ */
+prompt: string | null, 
+/**
+ * The lines of the best round; empty before the first.
+ */
+lines: Array<DraftLineView>, 
+/**
+ * Sentences of the text that the answer leaves out.
+ */
+left_out: Array<string>, 
+/**
+ * The reason why a run with all statements stops.
+ */
+run_stops: string | null, 
+/**
+ * The reason of a failure, in sentences.
+ */
+problem: string | null, problem_code?: string, };
+
+export type FreeTextState = "beginning" | "asking" | "checking" | "done" | "failed" | "stopped";
+
+export type RoundView = { problems: Array<string>, 
+/**
+ * Differences between statements and their simulation.
+ */
+differences: Array<string>, };
+
+export type DraftLineView = { source: string, is_in_text: boolean, statements: Array<DraftStatementView>, assumed: Array<string>, cannot_be_said: Array<string>, };
+
+export type DraftStatementView = { 
+/**
+ * The sentence of the model.
+ */
+text: string, 
+/**
+ * The reason why it is refused.
+ */
+refused: string | null, 
+/**
+ * Its meaning, as canonical sentences with their numbers.
+ */
+sentences: Array<SentenceView>, 
+/**
+ * The expectation and the result of a simulation that differs.
+ */
+difference: [string, string] | null, };
+
+export type AcceptLines = { 
+/**
+ * The text that the person has seen.
+ */
+number: number, 
+/**
+ * By line.
+ */
+accepted: Array<boolean>, };
+
+export type AcceptedView = { text: string, 
+/**
+ * Statements that need one that was not accepted; they are comments in the text.
+ */
+lost: Array<string>, };
+
 export type Completion = { text: string, kind: CompletionKind, about: string, };
 
 export type CompletionKind = "sentence" | "activity" | "time" | "place" | "condition";

@@ -8,7 +8,7 @@ use crate::model_server::{ChatMessage, ModelServer};
 use crate::rounds_file::{ConversationRound, RoundsFile};
 use crate::system_prompt::{capitalised, first_request, next_request, system_prompt};
 use crate::trial::StatementTrial;
-use homebody_simulation::{OpenScenario, SimulationError, VERSION};
+use homebody_simulation::{Cancel, OpenScenario, SimulationError, VERSION};
 
 /// Most answers of a conversation (our choice): later ones hardly better the routine.
 pub const MOST_ROUNDS: usize = 4;
@@ -34,6 +34,7 @@ pub struct Conversation {
     no_lines: Option<String>,
     best: Option<LifeDraft>,
     is_over: bool,
+    cancel: Cancel,
 }
 
 impl Conversation {
@@ -47,7 +48,13 @@ impl Conversation {
         let trial = StatementTrial::of_resident(opened, resident)?;
         let system = system_prompt(&trial);
         let (rounds, lines) = (Vec::new(), Vec::new());
-        Ok(Conversation { text, trial, system, rounds, lines, no_lines: None, best: None, is_over: false })
+        let (no_lines, best, is_over, cancel) = (None, None, false, Cancel::new());
+        Ok(Conversation { text, trial, system, rounds, lines, no_lines, best, is_over, cancel })
+    }
+
+    /// Ends requests and simulations early with [`SimulationError::Cancelled`] when this handle is cancelled.
+    pub fn cancel(&mut self, cancel: &Cancel) {
+        self.cancel = cancel.clone();
     }
 
     /// The file of the routine in the scenario.
@@ -96,7 +103,7 @@ impl Conversation {
     ///
     /// # Errors
     ///
-    /// The statements cannot be simulated.
+    /// The statements cannot be simulated, or the conversation was cancelled.
     pub fn take(&mut self, answer: &str) -> Result<(), SimulationError> {
         let prompt = if self.rounds.is_empty() { first_request(&self.text) } else { self.request() };
         let mut round = ConversationRound { prompt, answer: answer.to_owned(), ..ConversationRound::default() };
@@ -143,10 +150,14 @@ impl Conversation {
         for (&(line, at), refused) in places.iter().zip(&tried.refused) {
             draft.lines[line].statements[at].refused.clone_from(refused);
         }
+        for (index, meaning) in tried.meanings() {
+            let (line, at) = places[index];
+            draft.lines[line].statements[at].meaning.push(meaning);
+        }
         if !at_last && !draft.problems().is_empty() {
             return Ok(draft);
         }
-        match tried.simulate() {
+        match tried.simulate(&self.cancel) {
             Ok(differences) => {
                 draft.is_simulated = true;
                 for (index, difference) in differences {
@@ -171,17 +182,26 @@ impl Conversation {
         }
     }
 
-    /// Asks a model until nothing is wrong, or for [`MOST_ROUNDS`]. Answers before an error stay.
+    /// Asks a model until nothing is wrong, or for [`MOST_ROUNDS`]. Answers before an error stay. `at` gets each stage, with the
+    /// rounds before it.
     ///
     /// # Errors
     ///
-    /// The model does not answer, or its statements cannot be simulated.
-    pub fn converse(&mut self, server: &ModelServer, at: impl Fn(ConversationStage)) -> Result<(), FreeTextError> {
+    /// The model does not answer, its statements cannot be simulated, or the conversation was cancelled.
+    pub fn converse(
+        &mut self,
+        server: &ModelServer,
+        at: impl Fn(ConversationStage, &[ConversationRound]),
+    ) -> Result<(), FreeTextError> {
         while !self.is_over {
             let round = self.rounds.len() + 1;
-            at(ConversationStage::Asking(round));
-            let answer = server.answer(&self.messages())?;
-            at(ConversationStage::Checking(round));
+            at(ConversationStage::Asking(round), &self.rounds);
+            let answer = server.answer(&self.messages(), &self.cancel);
+            if self.cancel.is_cancelled() {
+                return Err(SimulationError::Cancelled.into());
+            }
+            let answer = answer?;
+            at(ConversationStage::Checking(round), &self.rounds);
             self.take(&answer)?;
         }
         Ok(())
@@ -197,9 +217,9 @@ impl Conversation {
         self.rounds.last().map_or((0, 0), |round| (round.problems.len(), round.differences.len()))
     }
 
-    /// The number of answers.
-    pub fn rounds(&self) -> usize {
-        self.rounds.len()
+    /// The prompts and answers so far.
+    pub fn rounds(&self) -> &[ConversationRound] {
+        &self.rounds
     }
 
     /// The best draft.

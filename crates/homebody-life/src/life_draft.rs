@@ -4,6 +4,7 @@ use crate::messages::FreeTextWarning;
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::Diagnostic;
 use homebody_routine::behaviour::difference::Difference;
+use homebody_routine::explain::ExplanationRow;
 use serde::Serialize;
 
 /// A routine in the making, line by line.
@@ -43,6 +44,10 @@ pub struct DraftStatement {
     /// The reason why it is refused.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refused: Option<String>,
+    /// Its meaning, as canonical sentences with their numbers, and as data; empty if it is refused. Lines count the statements of the
+    /// answer from 1.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub meaning: Vec<ExplanationRow>,
     /// The difference between the statement and its simulation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub difference: Option<Difference>,

@@ -9,10 +9,10 @@ homebody_core::messages! {
         /// A language model reads a limited length with care, and forgets parts of a longer one. The limit is our choice.
         TooLong { characters: usize, most: usize } error "too-long"
             ("the text has {characters} characters; at most {most} are read at once")
-            hint ("split the text into parts, run the command for each with another --out, and join the routines");
+            hint ("split the text into parts, make a routine of each, and join the routines");
         /// A text has at least one sentence with letters.
         Empty error "empty" ("the text has no sentence")
-            hint ("name a text file with a care plan, a diary or a description of a person's days");
+            hint ("give a care plan, a diary or a description of a person's days");
         /// A routine belongs to a resident.
         NoResident { scenario: String } error "no-resident" ("{scenario} has no resident")
             hint ("add a file to \"residents\", as in a scenario of `homebody new`");
@@ -25,7 +25,7 @@ homebody_core::messages! {
             hint ("name the file NAME.rounds.json in the folder of a routine that was made from a text");
         /// No answer had a line that can be used.
         NothingUsable { rounds: usize, why: String } error "nothing-usable" ("no answer in {rounds} rounds has lines: {why}")
-            hint ("choose a larger model with --model-name, or paste the prompt of --prompt into an assistant");
+            hint ("choose a larger model (--model-name), or paste the prompt (--prompt) into an assistant");
         => inner {
             /// The server of the model.
             Model(ModelMessage);
@@ -52,7 +52,7 @@ homebody_core::messages! {
     pub enum FreeTextWarning in "free-text" {
         /// The model left this sentence out in its answer. The routine has nothing of it.
         LeftOut { sentence: String } warning "left-out" ("the answer leaves out: {sentence:?}")
-            hint ("write a sentence for it into the routine, or run the command again");
+            hint ("write a sentence for it into the routine, or try again");
         /// The model gave a source that is not a sentence of the text. Its statements may be invented.
         NoSource { said: String } warning "no-source" ("not a sentence of the text: {said:?}")
             hint ("accept the line only if its statements are true");
@@ -75,38 +75,38 @@ homebody_core::messages! {
         /// Without --model, Homebody looks for a server on this machine.
         NoServer { tried: Vec<String> } error "no-server"
             ("no language model answers on this machine: {tried}", tried = tried.join(", "))
-            hint ("start one (`ollama serve`, or `llama-server -m MODEL.gguf`), name one with --model URL, or use --prompt without a model");
+            hint ("start one (`ollama serve`, or `llama-server -m MODEL.gguf`), name the address of one (--model), or use the prompt (--prompt) without a model");
         /// The address of a server begins with http:// or https://.
         BadUrl { url: String } error "bad-url" ("{url:?} is no address of a model's server")
             hint ("write it as http://localhost:11434/v1 or https://HOST/v1");
         /// The server has several models, and Homebody sends the text to none that was not chosen.
         SeveralModels { url: String, known: Vec<String> } error "several-models" ("{url} has several models")
-            hint ("choose one with --model-name: {known}", known = known.join(", "));
+            hint ("choose one (--model-name): {known}", known = known.join(", "));
         /// The server cannot be reached, or it closed the connection before its answer was complete.
         Unreachable { url: String, why: String } error "unreachable" ("{url} does not answer: {why}")
-            hint ("check that the server runs and that the address is right, then run the command again");
+            hint ("check that the server runs and that the address is right, then try again");
         /// The answer was not complete in time.
         Slow { url: String, seconds: f64 } error "slow" ("{url} gave no complete answer in {seconds} s")
-            hint ("allow more time, such as --timeout 30m, or choose a smaller model with --model-name");
+            hint ("allow more time (--timeout 30m), or choose a smaller model (--model-name)");
         /// The server refuses the key, or it needs one.
         Key { url: String, status: u16, is_sent: bool } error "key" ("{url} refuses the request with status {status}: {}",
             if *is_sent { "the key is wrong or may not be used" } else { "it needs a key" })
-            hint ("put the key into the environment variable HOMEBODY_MODEL_KEY; it is neither printed nor stored");
+            hint ("give the right key, as in the environment variable HOMEBODY_MODEL_KEY; it is neither printed nor stored");
         /// The server does not know this path or this model.
         NotFound { url: String, why: String } error "not-found" ("{url} has no such path or model: {why}")
-            hint ("the address usually ends with /v1; --model-name chooses one of the server's models");
+            hint ("the address usually ends with /v1; choose one of the server's models (--model-name)");
         /// The server has an error of its own, or refuses the request.
         Status { url: String, status: u16, why: String } error "status" ("{url} answers with status {status}: {why}")
-            hint ("look at the server's log, then run the command again");
+            hint ("look at the server's log, then try again");
         /// The server redirects to another address. Homebody sends the text to the named address only.
         Redirect { url: String, to: String } error "redirect" ("{url} redirects to {to}, where nothing was sent")
-            hint ("if you trust that address, name it with --model");
+            hint ("if you trust that address, name it (--model)");
         /// The answer is not that of a chat, for example because the address is that of a web page.
         NotChat { url: String, why: String } error "not-chat" ("the answer of {url} is no chat completion: {why}")
             hint ("the address usually ends with /v1, as http://localhost:11434/v1");
         /// A longer answer is not read. The limit is our choice.
         Babble { url: String, most: usize } error "babble" ("the answer of {url} is longer than {most} bytes")
-            hint ("choose another model with --model-name; this one does not stop");
+            hint ("choose another model (--model-name); this one does not stop");
         /// The key goes over the network in a form that others can read.
         OpenKey { url: String } warning "open-key" ("the key is sent to {url} without encryption")
             hint ("use an address that begins with https://");

@@ -3,11 +3,14 @@
 use crate::messages::ModelMessage;
 use crate::model_answer::schema;
 use homebody_core::scenario::scheme::without_password;
+use homebody_simulation::Cancel;
 use rustls::crypto::ring;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::cell::Cell;
 use std::sync::Arc;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
 use std::time::Duration;
 use ureq::http::{Response, Uri};
 use ureq::tls::{Certificate, RootCerts, TlsConfig};
@@ -15,6 +18,12 @@ use ureq::{Agent, Body, Error};
 
 /// The addresses of Ollama and llama.cpp.
 pub const LOCAL_SERVERS: [&str; 2] = ["http://localhost:11434/v1", "http://localhost:8080/v1"];
+
+/// The environment variable with the key for the named server.
+pub const KEY_VARIABLE: &str = "HOMEBODY_MODEL_KEY";
+
+/// Longest wait for an answer, where none is chosen (our choice): a small machine writes 2,000 words in it.
+pub const USUAL_TIMEOUT: Duration = Duration::from_secs(600);
 
 /// Longest answer (our choice): a routine of the longest text has a tenth.
 pub const MOST_ANSWER_BYTES: usize = 2_000_000;
@@ -27,6 +36,22 @@ const QUOTED_CHARACTERS: usize = 200;
 
 /// Most models that an error lists (our choice).
 const MOST_MODELS: usize = 12;
+
+/// Interval at which a request looks whether it was cancelled (our choice).
+const LOOK_EVERY: Duration = Duration::from_millis(50);
+
+/// The choice of a server and a model. It has no `Debug`, which would print the key.
+#[derive(Clone)]
+pub struct ModelChoice {
+    /// `None` for the first of [`LOCAL_SERVERS`] that answers.
+    pub url: Option<String>,
+    /// `None` for the only model of the server, or the first on this machine.
+    pub name: Option<String>,
+    /// It goes to a named server only.
+    pub key: Option<String>,
+    /// Longest wait for each answer.
+    pub timeout: Duration,
+}
 
 /// A message of a chat.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -67,6 +92,19 @@ pub struct ModelServer {
 }
 
 impl ModelServer {
+    /// The chosen server.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`ModelServer::at`], or of [`ModelServer::first_of`] without an address.
+    pub fn chosen(choice: &ModelChoice) -> Result<ModelServer, ModelMessage> {
+        let ModelChoice { url, name, key, timeout } = choice;
+        match url {
+            Some(url) => ModelServer::at(url, name.as_deref(), key.clone(), *timeout),
+            None => ModelServer::first_of(&LOCAL_SERVERS, name.as_deref(), *timeout),
+        }
+    }
+
     /// The server at an address. Without a name, its only model is asked, or of a server on this machine the first.
     ///
     /// # Errors
@@ -158,12 +196,30 @@ impl ModelServer {
         Ok(models.iter().filter_map(|model| model.get("id")?.as_str().map(str::to_owned)).collect())
     }
 
-    /// The answer to some messages. It is asked for by schema, and without one if the server refuses that.
+    /// The answer to some messages. It is asked for by schema, and without one if the server refuses that. Once it is cancelled, the
+    /// connection closes, and the server is of no further use.
     ///
     /// # Errors
     ///
     /// Everything that a server can do instead of answering.
-    pub fn answer(&self, messages: &[ChatMessage]) -> Result<String, ModelMessage> {
+    pub fn answer(&self, messages: &[ChatMessage], cancel: &Cancel) -> Result<String, ModelMessage> {
+        let (asking, is_over) = mpsc::channel::<()>();
+        let agent = self.agent.clone();
+        thread::scope(|scope| {
+            scope.spawn(move || {
+                while is_over.recv_timeout(LOOK_EVERY) == Err(RecvTimeoutError::Timeout) {
+                    if cancel.is_cancelled() {
+                        return agent.shutdown();
+                    }
+                }
+            });
+            let answer = self.asked(messages);
+            drop(asking);
+            answer
+        })
+    }
+
+    fn asked(&self, messages: &[ChatMessage]) -> Result<String, ModelMessage> {
         if self.is_structured.get() {
             match self.ask(messages, true)? {
                 (400 | 415 | 422 | 500 | 501, _) => self.is_structured.set(false),

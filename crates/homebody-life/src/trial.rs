@@ -5,7 +5,8 @@ use crate::model_answer::LONGEST_ENTRY;
 use homebody_core::problem::{Problem, Problems, is_unseen};
 use homebody_core::resident::DriverFile;
 use homebody_routine::behaviour::difference::Difference;
-use homebody_simulation::{OpenScenario, SimulationError};
+use homebody_routine::explain::{ExplanationRow, explain};
+use homebody_simulation::{Cancel, OpenScenario, SimulationError};
 
 /// Days of a trial: two months show what a week does not, such as every other Thursday.
 const TRIAL_DAYS: f64 = 60.0;
@@ -23,6 +24,7 @@ pub struct StatementTrial {
 pub struct TriedStatements {
     /// By statement: the reason why it is refused.
     pub refused: Vec<Option<String>>,
+    resident: usize,
     /// The scenario with the others as the routine of the resident, and the statement of each line of the routine.
     accepted: Option<(OpenScenario, Vec<usize>)>,
 }
@@ -63,7 +65,7 @@ impl StatementTrial {
                 Ok(opened) => {
                     let wrong = self.unsimulated(&opened);
                     if wrong.is_empty() {
-                        return TriedStatements { refused, accepted: Some((opened, kept)) };
+                        return TriedStatements { refused, resident: self.resident, accepted: Some((opened, kept)) };
                     }
                     wrong
                 }
@@ -100,7 +102,7 @@ impl StatementTrial {
             *reason = Some(why);
             kept.pop();
         }
-        TriedStatements { refused, accepted }
+        TriedStatements { refused, resident: self.resident, accepted }
     }
 
     /// The scenario with a text as the routine of the resident.
@@ -128,15 +130,29 @@ impl StatementTrial {
 }
 
 impl TriedStatements {
+    /// The meaning of the accepted statements, each with its statement.
+    pub fn meanings(&self) -> Vec<(usize, ExplanationRow)> {
+        let Some((opened, kept)) = &self.accepted else { return Vec::new() };
+        let rows = opened.household().routine(self.resident).map_or_else(Vec::new, |of| explain(of).sentences);
+        let of_statement = |row: ExplanationRow| {
+            let index = *kept.get(row.line.checked_sub(1)? as usize)?;
+            Some((index, ExplanationRow { line: index as u32 + 1, ..row }))
+        };
+        rows.into_iter().filter_map(of_statement).collect()
+    }
+
     /// Simulates the accepted statements. Returns what did not happen as said, each with its statement.
     ///
     /// # Errors
     ///
-    /// The error of a run that stops.
-    pub fn simulate(&self) -> Result<Vec<(usize, Difference)>, SimulationError> {
+    /// The error of a run that stops, or [`SimulationError::Cancelled`].
+    pub fn simulate(&self, cancel: &Cancel) -> Result<Vec<(usize, Difference)>, SimulationError> {
         let Some((opened, kept)) = &self.accepted else { return Ok(Vec::new()) };
-        let mut run = opened.run().days(TRIAL_DAYS).start()?;
+        let mut run = opened.run().days(TRIAL_DAYS).cancel(cancel).start()?;
         while run.next_batch()?.is_some() {}
+        if cancel.is_cancelled() {
+            return Err(SimulationError::Cancelled);
+        }
         let of_statement = |of: Difference| Some((*kept.get(of.line.checked_sub(1)? as usize)?, of));
         Ok(run.differences().into_iter().filter_map(of_statement).collect())
     }

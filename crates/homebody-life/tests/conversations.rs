@@ -33,16 +33,22 @@ fn played(text: &str, contents: &[String]) -> (Conversation, PlayedServer) {
     let server = PlayedServer::playing(contents.iter().cloned().map(Reply::Content));
     let mut conversation = conversation(text);
     let asked = ModelServer::at(&server.url, None, None, Duration::from_secs(60)).unwrap();
-    conversation.converse(&asked, |_| ()).unwrap();
+    conversation.converse(&asked, |_, _| ()).unwrap();
     (conversation, server)
 }
 
 #[test]
 fn a_good_answer_ends_it() {
     let (conversation, server) = played(TEXT, &[good()]);
-    assert_eq!((conversation.rounds(), server.requests().len()), (1, 1));
+    assert_eq!((conversation.rounds().len(), server.requests().len()), (1, 1));
     let draft = conversation.draft().unwrap();
     assert!(draft.is_simulated && draft.problems().is_empty() && draft.differences().is_empty(), "{draft:#?}");
+    // The meaning of each statement is read, which is not always what its words suggest.
+    let nap = &draft.lines[1].statements[0].meaning;
+    assert_eq!(nap.len(), 1, "{nap:?}");
+    assert_eq!((nap[0].line, &nap[0].when[..5]), (2, "after"), "{nap:?}");
+    assert!(nap[0].in_words.contains("nap") && nap[0].in_words.contains("40 minutes"), "{nap:?}");
+    assert_eq!(serde_json::to_value(&nap[0].statement).unwrap()["activity"], "napping");
     let (routine, lost) = conversation.routine(&[true, false, true]).unwrap();
     assert!(lost.is_empty());
     assert!(routine.contains("\n# Margaret gets up at seven.\nShe gets up at 07:00.\n"), "{routine}");
@@ -59,7 +65,7 @@ fn problems_go_back_with_their_hints() {
         line("After lunch she has a nap.", &["She naps after lunch for 40 minutes."]),
     ]);
     let (conversation, server) = played(TEXT, &[first, good()]);
-    assert_eq!(conversation.rounds(), 2);
+    assert_eq!(conversation.rounds().len(), 2);
     let requests = server.requests();
     let asks = requests[1].asks();
     assert!(asks.contains("\"She gets up sevenish.\" is refused: ") && asks.contains("hint: "), "{asks}");
@@ -95,7 +101,7 @@ fn the_best_of_four_rounds_is_kept() {
         line("After lunch she has a nap.", &["She frobs."]),
     ]);
     let (conversation, server) = played(TEXT, &[bad(1), better, bad(2), bad(3), good()]);
-    assert_eq!((conversation.rounds(), server.requests().len()), (MOST_ROUNDS, MOST_ROUNDS));
+    assert_eq!((conversation.rounds().len(), server.requests().len()), (MOST_ROUNDS, MOST_ROUNDS));
     let draft = conversation.draft().unwrap();
     assert_eq!(draft.lines[0].accepted().collect::<Vec<_>>(), ["She gets up at 07:00."]);
     assert_eq!(draft.left_out, ["She misses her husband."]);
@@ -109,12 +115,12 @@ fn the_best_of_four_rounds_is_kept() {
 fn a_repeated_answer_ends_it() {
     let same = answer(&[line("Margaret gets up at seven.", &["She frobs."])]);
     let (conversation, server) = played(TEXT, &[same]);
-    assert_eq!((conversation.rounds(), server.requests().len()), (2, 2));
+    assert_eq!((conversation.rounds().len(), server.requests().len()), (2, 2));
     let server = PlayedServer::playing([Reply::Content("I cannot help with that.".into())]);
     let asked = ModelServer::at(&server.url, None, None, Duration::from_secs(60)).unwrap();
     let mut babbling = self::conversation(TEXT);
-    babbling.converse(&asked, |_| ()).unwrap();
-    assert_eq!(babbling.rounds(), 2);
+    babbling.converse(&asked, |_, _| ()).unwrap();
+    assert_eq!(babbling.rounds().len(), 2);
     assert!(server.requests()[1].asks().contains("JSON object alone"));
     assert!(matches!(babbling.draft(), Err(FreeTextError::NothingUsable { rounds: 2, .. })));
 }

@@ -3,8 +3,9 @@
 use crate::played_server::{PlayedServer, Reply};
 use homebody_core::messages::Diagnose;
 use homebody_life::{Conversation, FreeTextError, MOST_ANSWER_BYTES, ModelMessage, ModelServer};
-use homebody_simulation::template;
+use homebody_simulation::{Cancel, SimulationError, template};
 use std::net::TcpListener;
+use std::thread;
 use std::time::{Duration, Instant};
 
 const KEY: &str = "sk-secret-of-a-test";
@@ -13,7 +14,7 @@ const ANSWER: &str = r#"{"lines":[{"source":"She naps.","statements":["She naps 
 
 fn asked(server: &ModelServer) -> Result<Conversation, FreeTextError> {
     let mut conversation = Conversation::new(template("studio").unwrap(), None, "She naps.").unwrap();
-    conversation.converse(server, |_| ()).map(|()| conversation)
+    conversation.converse(server, |_, _| ()).map(|()| conversation)
 }
 
 /// The error of a server that plays these replies.
@@ -68,8 +69,32 @@ fn a_model_that_goes_in_the_middle_leaves_its_lines() {
     let played = PlayedServer::playing([Reply::Content(first), Reply::Gone]);
     let server = ModelServer::at(&played.url, None, None, Duration::from_secs(60)).unwrap();
     let mut conversation = Conversation::new(template("studio").unwrap(), None, "She naps.").unwrap();
-    assert!(conversation.converse(&server, |_| ()).is_err());
-    assert_eq!((conversation.rounds(), conversation.draft().unwrap().lines.len()), (1, 1));
+    assert!(conversation.converse(&server, |_, _| ()).is_err());
+    assert_eq!((conversation.rounds().len(), conversation.draft().unwrap().lines.len()), (1, 1));
+}
+
+#[test]
+fn a_request_ends_when_it_is_cancelled() {
+    let played = PlayedServer::playing([Reply::Silent]);
+    let server = ModelServer::at(&played.url, None, None, Duration::from_secs(600)).unwrap();
+    let cancel = Cancel::new();
+    let mut conversation = Conversation::new(template("studio").unwrap(), None, "She naps.").unwrap();
+    conversation.cancel(&cancel);
+    let begun = Instant::now();
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            while played.requests().is_empty() {
+                thread::sleep(Duration::from_millis(20));
+            }
+            cancel.cancel();
+        });
+        let ended = conversation.converse(&server, |_, _| ());
+        assert!(matches!(ended, Err(FreeTextError::Simulation(SimulationError::Cancelled))));
+    });
+    assert!(begun.elapsed() < Duration::from_secs(60));
+    // A simulation is cancelled, too.
+    assert!(matches!(conversation.take(ANSWER), Err(SimulationError::Cancelled)));
+    assert!(conversation.draft().is_err());
 }
 
 #[test]

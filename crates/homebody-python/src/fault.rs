@@ -2,6 +2,7 @@
 
 use homebody_core::messages::Diagnose;
 use homebody_core::problem::{Diagnostic, Problems};
+use homebody_life::FreeTextError;
 use homebody_query::QueryError;
 use homebody_simulation::SimulationError;
 use homebody_tracking::TrackingError;
@@ -61,6 +62,17 @@ impl LibraryError for SimulationError {
             | SimulationError::NoRecording { .. }
             | SimulationError::OwnDrivers { .. }
             | SimulationError::NotFolder { .. } => named("LogError", self),
+            error => named("HomebodyError", error),
+        }
+    }
+}
+
+impl LibraryError for FreeTextError {
+    fn exception(self) -> PyErr {
+        match self {
+            FreeTextError::Simulation(error) => error.exception(),
+            FreeTextError::NoResident { .. } | FreeTextError::UnknownResident { .. } => named("ScenarioError", self),
+            FreeTextError::Model(_) | FreeTextError::NothingUsable { .. } => named("ModelError", self),
             error => named("HomebodyError", error),
         }
     }

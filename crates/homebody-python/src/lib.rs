@@ -14,6 +14,7 @@ mod log;
 mod stepped;
 mod summary;
 mod cohort;
+mod conversation;
 
 use homebody_analysis::measures::MEASURES;
 use pyo3::prelude::*;
@@ -38,6 +39,7 @@ fn _homebody(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<log::PythonLog>()?;
     module.add_class::<stepped::SteppedRun>()?;
     module.add_class::<cohort::PythonCohort>()?;
+    module.add_class::<conversation::PythonConversation>()?;
     for function in [
         wrap_pyfunction!(command, module)?,
         wrap_pyfunction!(scenario::templates, module)?,

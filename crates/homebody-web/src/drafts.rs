@@ -10,6 +10,8 @@ mod naming;
 mod plan;
 mod suggestion_progress;
 
+pub use routines::sentence_view;
+
 use crate::folders::HomeFolders;
 use crate::messages::DraftMessage;
 use crate::wire::{

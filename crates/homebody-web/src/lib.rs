@@ -25,6 +25,7 @@ mod live_cameras;
 /// Files that a person edits in the page.
 mod write_locks;
 pub mod drafts;
+mod free_text;
 pub mod stage;
 
 /// Stored runs, and located logs as runs.

@@ -153,6 +153,14 @@ homebody_core::messages! {
             hint ("open a shorter log, or use the command homebody locate, which has no limit");
         /// Homebody has an error. The log is not changed.
         LocatingBroke error "locating-broke" ("cannot locate people because of an error in Homebody");
+        /// A model answers one text at a time.
+        FreeTextBusy error "free-text-busy" ("another text is still becoming statements")
+            hint ("wait until it has finished, or cancel it");
+        /// Another window has started another text, or the server was started anew.
+        FreeTextOther error "free-text-other" ("these rows are not the latest any more")
+            hint ("make the sentences again");
+        /// Homebody has an error. Nothing is changed.
+        FreeTextBroke error "free-text-broke" ("cannot read the text because of an error in Homebody");
         /// The file underlay.json names an image in the folder of the scenario, and the image is not there.
         NoImage error "no-image" ("the home has no image beneath its plan");
         /// A run has a recording, and a log where its logger writes a file.

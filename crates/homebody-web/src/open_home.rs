@@ -3,6 +3,7 @@
 use crate::answers::{LogBody, in_background, json, packed, plan_of};
 use crate::drafts::DraftService;
 use crate::folders::HomeFolders;
+use crate::free_text::FreeTextService;
 use crate::guard::{Guard, SOCKET};
 use crate::locating::{LocateService, LogHome};
 use crate::log_reports::{LogChoice, LogReports};
@@ -46,6 +47,7 @@ pub struct OpenHome {
     playback: Playback,
     drafts: DraftService,
     locating: LocateService,
+    free_text: FreeTextService,
     logs: LogReports,
     notes: Notes,
     pages: Arc<Semaphore>,
@@ -56,10 +58,12 @@ pub struct OpenHome {
 impl OpenHome {
     /// Opens a scenario, with its run at its start.
     pub fn open(folders: HomeFolders, guard: Guard, pages: Arc<Semaphore>) -> Result<OpenHome, Diagnostic> {
+        let drafts = DraftService::new(folders.clone());
         Ok(OpenHome {
             stage: Stage::open(folders.clone())?,
             playback: Playback::new(folders.clone()),
-            drafts: DraftService::new(folders.clone()),
+            free_text: FreeTextService::new(drafts.clone()),
+            drafts,
             locating: LocateService::new(folders.clone()),
             logs: LogReports::new(folders.clone()),
             notes: Notes::new(folders.clone()),
@@ -70,9 +74,10 @@ impl OpenHome {
         })
     }
 
-    /// True while a page shows the home, its run plays, or a log is located.
+    /// True while a page shows the home, its run plays, a log is located, or a text becomes statements.
     pub fn is_busy(&self) -> bool {
-        self.gone.receiver_count() > 0 || self.stage.is_playing() || self.locating.is_active()
+        let works = self.stage.is_playing() || self.locating.is_active() || self.free_text.is_active();
+        self.gone.receiver_count() > 0 || works
     }
 
     pub fn recorded_run(&self) -> Option<String> {
@@ -85,6 +90,7 @@ impl OpenHome {
 
     /// Returns when all files of its run are complete.
     pub fn close(&self) {
+        self.free_text.stop();
         self.stage.close();
         self.locating.close();
     }
@@ -132,6 +138,13 @@ fn draft_routes() -> Router<OpenHome> {
                 .post(answer(json, |home, Json(asked), cancel| Ok(home.drafts.suggest(asked, cancel)))),
         )
         .route("/api/explain", post(answer(json, |home, Json(asked), _| Ok(home.drafts.explain(asked)))))
+        .route(
+            "/api/free-text",
+            get(answer(json, |home, (), _| Ok(home.free_text.now())))
+                .post(answer(json, |home, Json(request), _| home.free_text.begin(request)))
+                .delete(answer(json, |home, (), _| Ok(home.free_text.stop()))),
+        )
+        .route("/api/free-text/routine", post(answer(json, |home, Json(lines), _| home.free_text.accept(&lines))))
         .route("/api/month", post(answer(packed, |home, Json(asked), cancel| Ok(home.drafts.month(asked, cancel)))))
         .route("/api/rows", post(answer(json, |home, Json(draft), cancel| Ok(home.drafts.rows(draft, cancel)))))
         .route("/api/connect", post(answer(json, |home, Json(asked), _| Ok(home.drafts.connect(asked)))))

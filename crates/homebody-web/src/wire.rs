@@ -9,6 +9,7 @@
 
 mod care;
 mod draft;
+mod free_text;
 mod search;
 mod installing;
 mod library;
@@ -16,6 +17,7 @@ mod silhouettes;
 
 pub use care::*;
 pub use draft::*;
+pub use free_text::*;
 pub use installing::*;
 pub use library::*;
 pub use search::*;

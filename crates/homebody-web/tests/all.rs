@@ -2,6 +2,9 @@
 
 #[path = "../../../tests/generated.rs"]
 mod generated;
+#[allow(dead_code, reason = "these tests use a part of it")]
+#[path = "../../homebody-life/tests/played_server.rs"]
+mod played_server;
 mod playback;
 mod server;
 mod stored;

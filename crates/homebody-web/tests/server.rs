@@ -2,6 +2,7 @@
 
 mod draft_plan;
 mod drafts;
+mod free_text;
 mod guard;
 mod installing;
 mod library;

@@ -9,6 +9,7 @@ use homebody_core::activity::{ACTIVITIES, AWAY, ActivityKind, KIND_WORDS};
 use homebody_core::sensors::form::{Colour, KindRow, Mount};
 use homebody_core::sensors::kinds::KINDS;
 use homebody_core::sensors::products::Product;
+use homebody_life::{LOCAL_SERVERS, MOST_CHARACTERS, MOST_ROUNDS};
 use homebody_log::MovementKind;
 use homebody_placement::search::Reached;
 use homebody_query::search::SearchSubject;
@@ -117,6 +118,15 @@ fn declarations() -> Vec<String> {
         ExplainView,
         SentenceView,
         ConditionView,
+        FreeTextRequest,
+        Answerer,
+        FreeTextView,
+        FreeTextState,
+        RoundView,
+        DraftLineView,
+        DraftStatementView,
+        AcceptLines,
+        AcceptedView,
         Completion,
         CompletionKind,
         Month,
@@ -255,6 +265,19 @@ fn the_page_has_all_measures() {
         text += &format!("  {{ id: '{name}', title: '{goal}' }},\n");
     }
     is_generated("web/src/measures.ts", &(text + "];\n"));
+}
+
+#[test]
+fn the_page_has_the_limits_of_free_text() {
+    let servers = LOCAL_SERVERS.map(|url| format!("'{url}'")).join(", ");
+    let text = format!(
+        "// Made from homebody-life.\n\n\
+         /** The addresses of Ollama and llama.cpp on the machine of Homebody, which are asked without another address. */\n\
+         export const LOCAL_SERVERS = [{servers}] as const;\n\n\
+         /** The longest text. */\nexport const MOST_CHARACTERS = {MOST_CHARACTERS};\n\n\
+         /** Most answers about a text. */\nexport const MOST_ROUNDS = {MOST_ROUNDS};\n"
+    );
+    is_generated("web/src/free-text.ts", &text);
 }
 
 #[test]

@@ -76,10 +76,10 @@ fn not_understood(problems: Vec<ProblemView>) -> ExplainView {
 }
 
 fn sentences(routine: &Routine) -> Vec<SentenceView> {
-    explain(routine).sentences.into_iter().map(sentence).collect()
+    explain(routine).sentences.into_iter().map(sentence_view).collect()
 }
 
-fn sentence(row: explain::ExplanationRow) -> SentenceView {
+pub fn sentence_view(row: explain::ExplanationRow) -> SentenceView {
     let kind = match row.kind {
         ExplanationKind::Person => "person",
         ExplanationKind::Habit => "habit",

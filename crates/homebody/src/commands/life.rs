@@ -2,7 +2,6 @@
 
 mod acceptance;
 mod from;
-mod side_by_side;
 
 pub mod messages;
 

@@ -28,9 +28,9 @@ tracking: analysis core infer log query routine simulation timeline walk
 fleet: core log routine simulation
 life: core routine simulation
 scaffold: analysis core import log query routine simulation
-web: analysis core import log picture placement query routine scaffold simulation timeline tracking
+web: analysis core import life log picture placement query routine scaffold simulation timeline tracking
 homebody: analysis core fleet import infer life log picture placement query routine scaffold simulation timeline tracking web
-python: homebody analysis arrow core log picture query simulation tracking
+python: homebody analysis arrow core life log picture query simulation tracking
 fuzz: analysis arrow core import log mqtt picture postgres query routine simulation walk web";
 
 /// Dev-dependencies besides, and why.

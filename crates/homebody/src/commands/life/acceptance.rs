@@ -1,6 +1,5 @@
 //! The acceptance of lines, one by one in a terminal.
 
-use super::side_by_side::line_row;
 use crate::failure::Failure;
 use crate::print::print_text;
 use homebody_life::LifeDraft;
@@ -18,7 +17,7 @@ pub fn accept(draft: &LifeDraft, answers: &mut dyn BufRead) -> Result<Option<Vec
             accepted[index] = true;
             continue;
         }
-        print_text(&format!("\n{}", line_row(line)))?;
+        print_text(&format!("\n{}", line.row()))?;
         match asked(answers)? {
             LineAnswer::Yes => accepted[index] = true,
             LineAnswer::No => {}

@@ -2,7 +2,6 @@
 
 use super::acceptance::accept;
 use super::messages::LifeMessage;
-use super::side_by_side::table;
 use crate::commands::run_output::timeout;
 use crate::commands::scenario::Trust;
 use crate::failure::Failure;
@@ -10,7 +9,8 @@ use crate::print::{json_text, print_json, print_text, tell, tell_message, warn, 
 use crate::progress::bar;
 use homebody_core::resident::DriverFile;
 use homebody_life::{
-    Conversation, ConversationStage, FreeTextError, LOCAL_SERVERS, LifeDraft, MOST_ROUNDS, ModelServer, RoundsFile,
+    Conversation, ConversationStage, FreeTextError, KEY_VARIABLE, LifeDraft, MOST_ROUNDS, ModelChoice, ModelServer,
+    RoundsFile,
 };
 use homebody_log::LogError;
 use homebody_log::files::fresh::all_can_be_written;
@@ -93,8 +93,6 @@ pub struct LifeFromArguments {
 /// Largest file of a text, an answer or rounds (our choice).
 const LARGEST_BYTES: u64 = 32 << 20;
 
-const KEY_VARIABLE: &str = "HOMEBODY_MODEL_KEY";
-
 /// The files that the command writes.
 struct LifeFiles {
     routine: PathBuf,
@@ -140,7 +138,7 @@ impl LifeFromArguments {
 
     /// Without a terminal to accept lines in: the table of given answers, or nothing before a model is asked in vain.
     fn unseen(&self, conversation: &Conversation) -> Result<(), Failure> {
-        if conversation.rounds() > 0 {
+        if !conversation.rounds().is_empty() {
             tell_draft(conversation.draft()?);
         }
         Err(Failure::asked(LifeMessage::NoTerminal))
@@ -152,7 +150,7 @@ impl LifeFromArguments {
         server.warning().into_iter().for_each(warn);
         tell(format_args!("asking {}", server.name()));
         let progress = bar(None, "{spinner} {msg}  {elapsed}");
-        let begun = conversation.converse(&server, |stage| {
+        let begun = conversation.converse(&server, |stage, _| {
             progress.set_message(match stage {
                 ConversationStage::Asking(round) => format!("round {round} of at most {MOST_ROUNDS}: the model writes"),
                 ConversationStage::Checking(round) => format!("round {round}: checking and simulating 60 days"),
@@ -169,17 +167,15 @@ impl LifeFromArguments {
             if let Failure::Coded(message, _) = &failure {
                 tell_message(message);
             }
-            tell(format_args!("the lines of round {} follow", conversation.rounds()));
+            tell(format_args!("the lines of round {} follow", conversation.rounds().len()));
         }
         Ok(server.name())
     }
 
     fn server(&self) -> Result<ModelServer, FreeTextError> {
-        let model = self.model_name.as_deref();
-        Ok(match &self.model {
-            Some(url) => ModelServer::at(url, model, std::env::var(KEY_VARIABLE).ok(), self.timeout)?,
-            None => ModelServer::first_of(&LOCAL_SERVERS, model, self.timeout)?,
-        })
+        let (url, name) = (self.model.clone(), self.model_name.clone());
+        let key = std::env::var(KEY_VARIABLE).ok();
+        Ok(ModelServer::chosen(&ModelChoice { url, name, key, timeout: self.timeout })?)
     }
 
     /// The files to write. They must be free, before a model has worked for nothing.
@@ -222,7 +218,7 @@ impl LifeFromArguments {
         if self.json {
             print_json(&json!({
                 "resident": conversation.person(),
-                "rounds": conversation.rounds(),
+                "rounds": conversation.rounds().len(),
                 "draft": draft,
                 "accepted": accepted,
                 "routine": if is_any { Some(&files.routine) } else { None },
@@ -276,14 +272,14 @@ fn not_yet(conversation: &Conversation) -> Result<(), Failure> {
 }
 
 fn show(draft: &LifeDraft) -> Result<(), Failure> {
-    print_text(&table(draft))?;
+    print_text(&draft.table())?;
     draft.warnings().iter().for_each(tell_message);
     Ok(())
 }
 
 /// The same on standard error: a command that fails prints no result.
 fn tell_draft(draft: &LifeDraft) {
-    tell(table(draft).trim_end());
+    tell(draft.table().trim_end());
     draft.warnings().iter().for_each(tell_message);
 }
 

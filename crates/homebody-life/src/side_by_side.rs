@@ -1,36 +1,41 @@
 //! The table of a draft: sources and statements side by side.
 
-use homebody_life::{DraftLine, LifeDraft};
+use crate::life_draft::{DraftLine, LifeDraft};
 
 /// Widths of the columns in characters (our choice): together, they fit into a terminal of 120.
 const WIDTHS: [usize; 4] = [32, 42, 20, 20];
 
 const BETWEEN: &str = " | ";
 
-pub fn table(draft: &LifeDraft) -> String {
-    let headings = ["text", "statements", "assumed", "cannot be said"].map(|heading| vec![heading.to_owned()]);
-    let rule: Vec<String> = WIDTHS.iter().map(|width| "-".repeat(*width)).collect();
-    let rule = rule.join("-+-") + "\n";
-    let mut text = format!("{}{rule}", row(&headings));
-    for line in &draft.lines {
-        text += &format!("{}{rule}", line_row(line));
+impl LifeDraft {
+    /// The table for a terminal.
+    pub fn table(&self) -> String {
+        let headings = ["text", "statements", "assumed", "cannot be said"].map(|heading| vec![heading.to_owned()]);
+        let rule: Vec<String> = WIDTHS.iter().map(|width| "-".repeat(*width)).collect();
+        let rule = rule.join("-+-") + "\n";
+        let mut text = format!("{}{rule}", row(&headings));
+        for line in &self.lines {
+            text += &format!("{}{rule}", line.row());
+        }
+        for sentence in &self.left_out {
+            let cells = [vec![sentence.clone()], vec!["(left out by the model)".to_owned()], Vec::new(), Vec::new()];
+            text += &format!("{}{rule}", row(&cells));
+        }
+        text
     }
-    for sentence in &draft.left_out {
-        let cells = [vec![sentence.clone()], vec!["(left out by the model)".to_owned()], Vec::new(), Vec::new()];
-        text += &format!("{}{rule}", row(&cells));
-    }
-    text
 }
 
-/// The row of one line.
-pub fn line_row(line: &DraftLine) -> String {
-    let statements = line.statements.iter().map(|statement| match (&statement.refused, &statement.difference) {
-        (Some(_), _) => format!("(refused) {}", statement.text),
-        (None, Some(of)) => format!("{} (simulated {})", statement.text, of.lived),
-        (None, None) => statement.text.clone(),
-    });
-    let source = if line.is_in_text { line.source.clone() } else { format!("(not in the text) {}", line.source) };
-    row(&[vec![source], statements.collect(), line.assumed.clone(), line.cannot_be_said.clone()])
+impl DraftLine {
+    /// Its row of the table.
+    pub fn row(&self) -> String {
+        let statements = self.statements.iter().map(|statement| match (&statement.refused, &statement.difference) {
+            (Some(_), _) => format!("(refused) {}", statement.text),
+            (None, Some(of)) => format!("{} (simulated {})", statement.text, of.lived),
+            (None, None) => statement.text.clone(),
+        });
+        let source = if self.is_in_text { self.source.clone() } else { format!("(not in the text) {}", self.source) };
+        row(&[vec![source], statements.collect(), self.assumed.clone(), self.cannot_be_said.clone()])
+    }
 }
 
 fn row(cells: &[Vec<String>; 4]) -> String {
@@ -79,7 +84,7 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_life::DraftStatement;
+    use crate::life_draft::DraftStatement;
 
     #[test]
     fn wraps_cells_and_keeps_every_word() {
@@ -96,13 +101,13 @@ mod tests {
             assumed: vec!["x".repeat(50)],
             cannot_be_said: Vec::new(),
         };
-        let row = line_row(&line);
+        let row = line.row();
         assert!(row.lines().all(|line| line.chars().count() <= 123), "{row}");
         assert!(row.contains("| (refused) She sits."), "{row}");
         let first: Vec<&str> = row.lines().map(|line| line.split('|').next().unwrap().trim()).collect();
         assert_eq!(first.join(" ").trim(), source);
         assert_eq!(row.matches('x').count(), 50);
         let draft = LifeDraft { lines: vec![line], left_out: vec!["She knits.".into()], ..LifeDraft::default() };
-        assert!(table(&draft).contains("She knits.") && table(&draft).contains("(left out by the model)"));
+        assert!(draft.table().contains("She knits.") && draft.table().contains("(left out by the model)"));
     }
 }
