@@ -295,7 +295,7 @@ fn give_or_take(spread: f64, unit: &str) -> String {
 
 /// A duration without a spread.
 fn exactly(seconds: f64) -> String {
-    let (size, unit) = unit(&Fuzzy::exactly(seconds));
+    let (size, unit) = if seconds == 0.0 { (60.0, "minutes") } else { unit(&Fuzzy::exactly(seconds)) };
     let count = number(seconds / size);
     let unit = if count == "1" { unit.trim_end_matches('s') } else { unit };
     format!("{count} {unit}")

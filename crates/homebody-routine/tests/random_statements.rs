@@ -21,7 +21,7 @@ const MANY: u32 = 50_000;
 const OTHERS: &str =
     "She gets up at 06:45. She eats lunch. She eats dinner. She takes a shower. She watches television.\n";
 const OTHER: [Activity; 4] =
-    [Activity::Eat(Meal::Lunch), Activity::Eat(Meal::Dinner), Activity::TakeShower, Activity::WatchTelevision];
+    [Activity::Eat(Meal::Lunch), Activity::Eat(Meal::Dinner), Activity::Shower, Activity::WatchTelevision];
 
 struct Draw(Stream);
 
@@ -124,7 +124,7 @@ impl Draw {
         let is_visit = self.is_rare(5);
         let mut habit = Habit {
             said: Quote::default(),
-            visitor: is_visit.then(|| self.one(&["daughter", "nurse", "Anna"]).to_owned()),
+            visitor: is_visit.then(|| self.one(&["daughter", "nurse", "district nurse"]).to_owned()),
             activity: if is_visit { Activity::Visit } else { self.one(activities) },
             place: None,
             when: self.when(),

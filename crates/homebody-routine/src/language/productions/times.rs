@@ -446,6 +446,11 @@ fn order(a: &mut Arguments, make: impl Fn(Activity, Option<Fuzzy>) -> Said) -> O
     if gap.is_some_and(|gap| gap.to > DAY_S) {
         a.fault(a.kids[0].span, TimeSentenceMessage::LongerThanADay { text: a.said(a.kids[0].span) });
     }
-    let when = make(event, gap.map(duration));
+    let spread_s = a.numbers().first().copied();
+    let gap = gap.map(|gap| match spread_s {
+        Some(spread_s) => Fuzzy::around((gap.from + gap.to) / 2.0, spread_s),
+        None => duration(gap),
+    });
+    let when = make(event, gap);
     parts(Parts { when: a.slot(vec![when]), ..Parts::default() })
 }
