@@ -1,4 +1,4 @@
-//! What a statement says comes before what is only usual: at its time, to its end, and as often as said.
+//! Stated activities come before usual ones: at their time, to their end, and as often as stated.
 
 use crate::stage::{Simulated, day, files, hour};
 use homebody_core::event::Fact;
@@ -43,7 +43,7 @@ fn a_usual_meal_with_its_preparation_leaves_a_stated_time_free() {
 
 #[test]
 fn a_stated_meal_does_not_wait_for_a_stated_time() {
-    // Both are said, so the meal, which began first, is eaten as it is cooked.
+    // Both are stated. The meal begins first and is eaten as it is cooked.
     let said = "She prepares breakfast at 08:05 for 15 minutes, then eats for 20 minutes.\nShe makes her bed at 8:30.";
     let lived = simulate(BASE, said, 40);
     assert!(share_at(&lived.firsts("preparing_breakfast"), 8.0 + 5.0 / 60.0, 8.0) > 0.93);
@@ -112,7 +112,7 @@ fn what_was_turned_on_is_off_after_the_stated_end() {
 }
 
 impl Simulated {
-    /// The times in which a thing is on.
+    /// The times of a thing that is on.
     fn on(&self, thing: &str) -> Vec<Interval<RunTime>> {
         let mut all: Vec<Interval<RunTime>> = Vec::new();
         let mut since = None;
@@ -153,7 +153,7 @@ fn a_night_awake_is_as_frequent_as_stated() {
         let share = simulate(BASE, said, 90).nights_with("lying_awake");
         assert!((least..=most).contains(&share), "{said} {share}");
     }
-    // Nights of which nothing is said have wakings as usual.
+    // Without a statement about a night, its wakings are as usual.
     assert!(simulate(BASE, "", 90).nights_with("lying_awake") > 0.85);
     let share = simulate(BASE, "She lies awake at 03:00 on Sunday for 30 minutes.", 90).nights_with("lying_awake");
     assert!(share > 0.85, "{share}");
