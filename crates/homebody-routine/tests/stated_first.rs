@@ -203,6 +203,8 @@ fn what_goes_with_a_meal_comes_between_its_preparation_and_it() {
     for (base, said, name, meal) in [
         (BASE, format!("{breakfast}{letters}She takes her pills with breakfast."), "taking_medicine", "breakfast"),
         (BASE, format!("{breakfast}She takes her pills with breakfast."), "taking_medicine", "breakfast"),
+        (BASE, format!("{breakfast}She listens to the radio with breakfast for 40 minutes."), "listening", "breakfast"),
+        (BASE, "She waters her plants with lunch for 8 minutes.".to_owned(), "caring_for_plants", "lunch"),
         (
             LATE_RISER,
             "She writes letters at 10:40 for 35 minutes.\nShe takes her pills with breakfast.".to_owned(),
