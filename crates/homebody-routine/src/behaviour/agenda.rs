@@ -91,8 +91,7 @@ impl Agenda {
         // A visitor rings at their time.
         let waits = |item: &Item| item.visitor.is_none() && item.start < if item.is_unsaid { ready } else { up };
         for item in items.iter_mut().filter(|item| waits(item) && !mornings.contains(&item.key)) {
-            item.latest += ready - item.start;
-            item.start = ready;
+            (item.start, item.latest) = (ready, item.latest + (ready - item.start));
             // One that follows another is not overdue.
             item.waits = item.is_unsaid || item.follows.is_none();
         }

@@ -28,6 +28,8 @@ pub(super) struct Playing {
     pub(super) until: Option<RunTime>,
     /// Leisure and company, which meals and medicine interrupt.
     pub(super) gives_way: bool,
+    /// The activity that it begins with.
+    pub(super) goes_with: Option<SentenceId>,
     /// Until when only stated meals interrupt it.
     pub(super) undisturbed: RunTime,
     pub(super) is_essential: bool,
@@ -80,6 +82,7 @@ impl Playing {
             walks: WalkPurpose::Need,
             until: None,
             gives_way: false,
+            goes_with: None,
             undisturbed: RunTime::MIN,
             is_essential: false,
             answers: None,

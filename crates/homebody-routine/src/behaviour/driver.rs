@@ -9,7 +9,7 @@ use super::chores::{self, Errand};
 use super::company::Company;
 pub(super) use super::current_activity::{ActivityPart, Playing, VisitorStay, WalkPurpose};
 use super::errands::Errands;
-use super::item::Item;
+use super::item::{Following, Item};
 use super::manner::Manner;
 use super::needs::BodilyNeeds;
 use super::places::{HomePlace, HomePlaces};
@@ -418,6 +418,7 @@ impl RoutineDriver {
             (playing.of, playing.since) = (item.of, now);
             (playing.gives_way, playing.is_essential) = (gives_way, item.is_essential());
             let is_firm = item.has_its_time && !item.waits && item.visitor.is_none();
+            playing.goes_with = item.follows.filter(|follows| follows.how == Following::With).map(|with| with.of);
             playing.undisturbed = if is_firm { now + UNDISTURBED } else { RunTime::MIN };
         }
     }

@@ -92,8 +92,14 @@ impl RoutineDriver {
         // An activity that is nearly done is finished, but not resumed between cooking and eating.
         let is_next = self.at_table > item.start - 2 * GRACE;
         let due = item.start + if is_next { Span::ZERO } else { GRACE };
-        let undisturbed = self.scripts.last().filter(|_| item.waits).map(|playing| playing.undisturbed);
-        Some((index, undisturbed.map_or(due, |undisturbed| due.max(undisturbed))))
+        let playing = self.scripts.last()?;
+        let undisturbed = match item.waits {
+            true => playing.undisturbed,
+            // An activity with the meal begins before it.
+            false if playing.goes_with.is_some_and(|of| item.of == Some(of)) => playing.since + GRACE,
+            false => due,
+        };
+        Some((index, due.max(undisturbed)))
     }
 
     pub(super) fn interrupt(&mut self, now: RunTime) {

@@ -19,18 +19,20 @@ impl RoutineDriver {
     /// No one goes out just before a meal.
     pub(super) fn prefer_stated(&mut self, now: RunTime) {
         let bed = self.agenda.bed;
+        let may_wait =
+            |next: &Item| next.visitor.is_none() && !next.has_its_time && !next.is_essential() && next.until.is_none();
+        let next = self.agenda.items.get(self.next_item);
+        if next.is_none_or(|next| next.start > now + MINUTE || !next.waits && !may_wait(next)) {
+            return;
+        }
         let are_free: Vec<bool> =
             self.agenda.items[self.next_item..].iter().map(|item| self.may_begin(item, now)).collect();
         let (breaks, rest) = (&self.agenda.breaks[self.next_break..], &mut self.agenda.items[self.next_item..]);
-        let Some(next) = rest.first().filter(|next| next.start <= now + MINUTE) else { return };
-        let may_wait = next.visitor.is_none() && !next.has_its_time && !next.is_essential() && next.until.is_none();
-        if !next.waits && !may_wait {
-            return;
-        }
+        let next = &rest[0];
         let (is_outing, gives_way) = (next.activity == Activity::Leave, next.activity.gives_way_to_meals());
         // With walks, it takes somewhat longer than planned.
         let end = now + next.lasts + if is_outing { 4 * MINUTE } else { 2 * MINUTE };
-        // What is cooked is eaten at once, and a visitor is let in from the table.
+        // Cooked food is eaten at once, and a visitor is let in from the table.
         let is_eaten = |item: &&Item| {
             let meal = next.activity.of_same_meal().filter(|_| matches!(next.activity, Activity::Prepare(_)));
             meal.as_ref() == Some(&item.activity) && item.visitor.is_none()
@@ -90,7 +92,7 @@ impl RoutineDriver {
     pub(super) fn may_begin(&self, item: &Item, now: RunTime) -> bool {
         let Some(follows) = item.follows else { return true };
         match (self.ahead(follows.of), follows.how) {
-            // What the other waits for is over, too, such as the cooking before a meal.
+            // The other does not wait itself, as a meal does for its cooking.
             (Some(with), Following::With) => {
                 let is_over = |before: Follows| before.how == Following::With || self.ahead(before.of).is_none();
                 with.follows.is_none_or(is_over) && self.expected_start(item, now, 0) <= now + GRACE

@@ -67,8 +67,8 @@ impl RoutineDriver {
         let arrival = moves.last().map_or(now, |last| last.end);
         self.lamps(from, spot.room, now, moves);
         self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
-        // A resident who comes in notices things left on, on an errand only the thing itself. Who stays in the room is used
-        // to it (our choice): else nothing could be forgotten in a home of one room.
+        // A resident who comes in notices things left on, on an errand only the thing itself. One who stays in the room
+        // does not (our choice): else nothing could be forgotten in a home of one room.
         for thing in self.watches.left_on() {
             let is_there = spot.name == self.places.thing_name(thing);
             let comes_in = from != spot.room && !is_errand;
