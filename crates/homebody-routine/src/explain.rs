@@ -1,8 +1,8 @@
 //! The meaning of a routine, sentence by sentence, in numbers and in words.
 
-use crate::canonical::{MONTHS, WEEKDAYS};
 use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
+use crate::language::canonical::{MONTHS, WEEKDAYS};
 use crate::routine::{
     DayKind, DaySelection, Effect, Habit, HabitChance, HabitTime, Phase, Quote, ResidentKind, Response, Routine,
     RoutineChange, RoutinePerson, RoutineRule, Shy,

@@ -9,13 +9,16 @@
 pub mod activities;
 pub mod amounts;
 mod build;
+mod builder;
 mod calendar;
+pub(crate) mod canonical;
 mod changes;
 mod chart;
 mod check;
 mod clock;
 mod draft;
 mod faults;
+mod filled_chart;
 mod grammar;
 mod known_names;
 pub mod lexicon;
@@ -26,15 +29,17 @@ mod productions;
 mod refusal;
 mod sentence;
 mod sharing;
+pub mod statement;
 mod stays;
 #[cfg(test)]
 mod tests;
 pub mod times;
+mod tokens;
 mod value;
 mod words;
 
 use crate::routine::{Quote, Routine, RoutinePerson};
-use build::{Built, Context, Fact};
+use builder::{Built, Context, PersonFact};
 pub use calendar::LAST_WEEK;
 use draft::{RoutineDraft, quote};
 use faults::Faults;
@@ -44,8 +49,9 @@ pub use lexicon::Lexicon;
 use messages::SentenceMessage;
 use names::HomeNames;
 use parts::Parts;
-use sentence::{Budget, Reading, read, span_of};
+use sentence::{Budget, Reading, read};
 use std::ops::Range;
+use tokens::span_of;
 use words::{Sentence, TextSpan};
 
 /// Largest length of a line.
@@ -220,7 +226,7 @@ impl TextReader<'_> {
         self.draft.finders.extend(built.finders);
     }
 
-    fn fact(&mut self, fact: Fact, span: TextSpan, whole: TextSpan) {
+    fn fact(&mut self, fact: PersonFact, span: TextSpan, whole: TextSpan) {
         let name = self.draft.name.clone().or_else(|| self.names.person.clone()).unwrap_or_default();
         let said = quote(self.text, whole);
         let person = self.draft.routine.person.get_or_insert(RoutinePerson {
@@ -233,18 +239,20 @@ impl TextReader<'_> {
             pace_said: None,
         });
         let again = match fact {
-            Fact::Age(age) => {
+            PersonFact::Age(age) => {
                 person.age_years = Some(age);
                 person.age_said.replace(said).is_some()
             }
-            Fact::Pace(pace) => {
+            PersonFact::Pace(pace) => {
                 person.pace_mps = Some(pace);
                 person.pace_said.replace(said).is_some()
             }
-            Fact::Kind(kind) => std::mem::replace(&mut person.kind, kind) != crate::routine::ResidentKind::default(),
+            PersonFact::Kind(kind) => {
+                std::mem::replace(&mut person.kind, kind) != crate::routine::ResidentKind::default()
+            }
         };
         if again {
-            let text = productions::said(self.text, span);
+            let text = productions::arguments::said(self.text, span);
             self.faults.add(span, SentenceMessage::SaidBefore { text });
         }
     }

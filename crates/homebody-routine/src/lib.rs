@@ -3,8 +3,7 @@
 pub mod routine;
 
 pub mod language;
-mod canonical;
-pub mod statement;
+pub use language::statement;
 pub mod explain;
 pub mod completion;
 

@@ -182,3 +182,14 @@ impl RoutineDriver {
         self.watches.wake(day, &self.life);
     }
 }
+
+impl Agenda {
+    /// Activities after the rising follow the actual one.
+    pub(super) fn rise(&mut self, over: RunTime) {
+        let late = (over - self.up - MINUTE).max(Span::ZERO);
+        for item in self.items.iter_mut().filter(|item| self.mornings.contains(&item.key)) {
+            (item.start, item.latest) = (item.start + late, item.latest + late);
+        }
+        self.items.sort_by_key(|item| item.start);
+    }
+}

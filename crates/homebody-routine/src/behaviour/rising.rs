@@ -1,6 +1,5 @@
 //! Times of rising and of going to bed, and draws of fuzzy numbers.
 
-use super::agenda::Agenda;
 use super::defaults;
 use super::places::HomePlaces;
 use super::resident_routine::{DayParameters, InForce, ResidentRoutine};
@@ -208,17 +207,6 @@ fn start_of(life: &ResidentRoutine, day: i32, parameters: &DayParameters, activi
             Some((start + lasts, defaults::length(activity, &life.numbers).median_min * 60.0))
         }
         _ => timed,
-    }
-}
-
-impl Agenda {
-    /// Activities after the rising follow the actual one.
-    pub(super) fn rise(&mut self, over: RunTime) {
-        let late = (over - self.up - MINUTE).max(Span::ZERO);
-        for item in self.items.iter_mut().filter(|item| self.mornings.contains(&item.key)) {
-            (item.start, item.latest) = (item.start + late, item.latest + late);
-        }
-        self.items.sort_by_key(|item| item.start);
     }
 }
 

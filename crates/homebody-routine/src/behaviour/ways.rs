@@ -68,7 +68,7 @@ impl RoutineDriver {
         self.lamps(from, spot.room, now, moves);
         self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
         // A resident who comes in notices things left on, on an errand only the thing itself. One who stays in the room
-        // does not (our choice): else nothing could be forgotten in a home of one room.
+        // does not, or nothing could be forgotten in a home of one room.
         for thing in self.watches.left_on() {
             let is_there = spot.name == self.places.thing_name(thing);
             let comes_in = from != spot.room && !is_errand;

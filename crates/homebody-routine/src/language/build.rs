@@ -1,95 +1,33 @@
 //! The meaning of a statement: habits, changes, rules, facts about the person.
 
 use super::amounts::{ABOUT_SHARE, DAY_S};
+use super::builder::{Builder, Built, Context, PersonFact};
 use super::changes;
-use super::lexicon::LexiconWords;
 use super::messages::{SentenceMessage, TimeSentenceMessage, WordMessage};
-use super::parts::{Parts, Slot, SlotKind};
-use super::productions::said;
+use super::parts::{Parts, Said, Slot, SlotKind};
+use super::productions::arguments::said;
 use super::sharing::shared;
 use super::stays::{Stay, staying};
-use super::value::{Act, Clause, Said, Statement, Subject, Verb};
+use super::value::{Act, Clause, SentenceSubject, SpokenStatement, Verb};
 use super::words::TextSpan;
 use super::{calendar, productions};
 use crate::routine::{
-    Activity, DaySelection, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Phase, PhaseDay, Quote,
-    ResidentKind, RoutineChange, RoutineRule, When,
+    Activity, DaySelection, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Quote, When,
 };
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
-use homebody_core::problem::Diagnostic;
 use times::spread;
 
 mod falls;
 mod rules;
 mod times;
 
-/// A fact about the person.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Fact {
-    Age(f64),
-    Kind(ResidentKind),
-    Pace(Fuzzy),
-}
-
-/// The meaning of one sentence, and its problems.
-#[derive(Clone, Debug, Default)]
-pub struct Built {
-    pub habits: Vec<(Habit, TextSpan)>,
-    pub changes: Vec<RoutineChange>,
-    pub rules: Vec<(RoutineRule, TextSpan, TextSpan)>,
-    pub facts: Vec<(Fact, TextSpan, TextSpan)>,
-    /// The name by which the sentence introduces the person.
-    pub name: Option<String>,
-    pub finders: Vec<(String, TextSpan)>,
-    pub faults: Vec<(TextSpan, Diagnostic)>,
-}
-
-impl Built {
-    /// Whether both mean the same, whatever their words.
-    pub fn is_same(&self, other: &Built) -> bool {
-        let habits = |built: &Built| -> Vec<Habit> {
-            built.habits.iter().map(|(habit, _)| Habit { said: Quote::default(), ..habit.clone() }).collect()
-        };
-        let changes = |built: &Built| -> Vec<RoutineChange> {
-            built.changes.iter().map(|change| RoutineChange { said: Quote::default(), ..change.clone() }).collect()
-        };
-        let rules = |built: &Built| -> Vec<RoutineRule> {
-            built.rules.iter().map(|(rule, ..)| RoutineRule { said: Quote::default(), ..rule.clone() }).collect()
-        };
-        let facts = |built: &Built| -> Vec<Fact> { built.facts.iter().map(|(fact, ..)| fact.clone()).collect() };
-        habits(self) == habits(other)
-            && changes(self) == changes(other)
-            && rules(self) == rules(other)
-            && facts(self) == facts(other)
-    }
-}
-
-/// The text before and around a sentence, as far as its meaning depends on it.
-#[derive(Clone, Copy)]
-pub struct Context<'a> {
-    pub text: &'a str,
-    pub lexicon: &'a LexiconWords,
-    pub is_condition: bool,
-    pub person: Option<&'a str>,
-    pub first_date: Option<(i16, u8, u8)>,
-    pub heading: Option<&'a Parts>,
-    pub has_habits: bool,
-    pub has_rules: bool,
-    pub rooms: &'a [String],
-}
-
-pub struct Builder<'a> {
-    pub context: Context<'a>,
-    pub built: Built,
-}
-
-pub fn build(context: Context, statement: &Statement, span: TextSpan) -> Built {
+pub fn build(context: Context, statement: &SpokenStatement, span: TextSpan) -> Built {
     let mut builder = Builder { context, built: Built::default() };
     match statement {
-        Statement::Heading(_) => {}
-        Statement::Rule(front, rule) => builder.rule(front, rule, span),
-        Statement::Clauses(front, clauses) => match shared(front, clauses) {
+        SpokenStatement::Heading(_) => {}
+        SpokenStatement::Rule(front, rule) => builder.rule(front, rule, span),
+        SpokenStatement::Clauses(front, clauses) => match shared(front, clauses) {
             Ok(clauses) => clauses.into_iter().for_each(|clause| builder.clause(clause)),
             Err((span, mut fault)) => {
                 if fault.code.ends_with("shared-part") {
@@ -103,18 +41,6 @@ pub fn build(context: Context, statement: &Statement, span: TextSpan) -> Built {
 }
 
 impl Builder<'_> {
-    pub fn fault(&mut self, span: TextSpan, message: impl Into<Diagnostic>) {
-        self.built.faults.push((span, message.into()));
-    }
-
-    pub fn said(&self, span: TextSpan) -> String {
-        said(self.context.text, span)
-    }
-
-    pub fn quote(&self, span: TextSpan) -> Quote {
-        super::draft::quote(self.context.text, span)
-    }
-
     fn clause(&mut self, mut clause: Clause) {
         if let Some(heading) = self.context.heading {
             clause.parts = std::mem::take(&mut clause.parts).under(heading);
@@ -124,20 +50,22 @@ impl Builder<'_> {
             let help = "write from which day, such as \"from day 30\"".to_owned();
             self.fault(span, TimeSentenceMessage::OpenTime { text, help });
         }
-        if let Subject::Stranger(name) = &clause.subject
+        if let SentenceSubject::Stranger(name) = &clause.subject
             && !self.introduces(name, &clause)
         {
             return;
         }
         match clause.verb.clone() {
-            Verb::Age(age) => self.fact(&clause, Fact::Age(age)),
-            Verb::Kind(kind) => self.fact(&clause, Fact::Kind(kind)),
-            Verb::Pace(pace) => self.fact(&clause, Fact::Pace(pace)),
+            Verb::Age(age) => self.fact(&clause, PersonFact::Age(age)),
+            Verb::Kind(kind) => self.fact(&clause, PersonFact::Kind(kind)),
+            Verb::Pace(pace) => self.fact(&clause, PersonFact::Pace(pace)),
             Verb::Sleeps if clause.parts.measure.is_none() && clause.parts.place.is_some() => self.sleeps(clause),
             Verb::Stays(activity) if clause.parts.measure.is_none() => self.stays(clause, activity),
             Verb::Goes => self.only_goes(&clause),
             Verb::Helps(act, help) => self.helps(clause, &act, help),
-            Verb::VisitedBy(who) => self.habit(Clause { subject: Subject::Visitor(who), verb: Verb::Visits, ..clause }),
+            Verb::VisitedBy(who) => {
+                self.habit(Clause { subject: SentenceSubject::Visitor(who), verb: Verb::Visits, ..clause })
+            }
             Verb::Visits | Verb::Own(_) | Verb::Falls(_) => self.habit(clause),
             Verb::Does(_) if clause.parts.measure.is_none() => self.habit(clause),
             _ => changes::change(self, &clause),
@@ -172,7 +100,7 @@ impl Builder<'_> {
         false
     }
 
-    fn fact(&mut self, clause: &Clause, fact: Fact) {
+    fn fact(&mut self, clause: &Clause, fact: PersonFact) {
         let span = clause.verb_span;
         if self.context.is_condition {
             let text = self.said(span);
@@ -180,16 +108,6 @@ impl Builder<'_> {
         }
         self.only(&clause.parts, &[], "a fact about the person holds at all times");
         self.built.facts.push((fact, span, clause.span));
-    }
-
-    /// Says what does not fit, of all but the given kinds.
-    pub fn only(&mut self, parts: &Parts, allowed: &[SlotKind], why: &str) {
-        for (kind, span) in parts.slots() {
-            if !allowed.contains(&kind) {
-                let text = self.said(span);
-                self.fault(span, SentenceMessage::DoesNotFit { text, reason: why.to_owned() });
-            }
-        }
     }
 
     /// "She sleeps in the recliner": by day a nap, by night where her bed is.
@@ -314,7 +232,7 @@ impl Builder<'_> {
                 );
             }
         }
-        let is_visit = matches!(clause.subject, Subject::Visitor(_));
+        let is_visit = matches!(clause.subject, SentenceSubject::Visitor(_));
         if let Some(key) = parts.key.as_ref().filter(|_| !is_visit) {
             let text = self.said(key.span);
             let reason = "only a visitor comes with a key".to_owned();
@@ -360,7 +278,7 @@ impl Builder<'_> {
             let habit = Habit {
                 said: self.quote(clause.span),
                 visitor: match &clause.subject {
-                    Subject::Visitor(name) => Some(name.clone()),
+                    SentenceSubject::Visitor(name) => Some(name.clone()),
                     _ => None,
                 },
                 activity: activity.clone(),
@@ -462,44 +380,5 @@ impl Builder<'_> {
             let text = self.said(span);
             self.fault(span, SentenceMessage::OnceADay { text });
         }
-    }
-
-    pub fn phase(&mut self, parts: &Parts, span: TextSpan) -> Phase {
-        let from = parts.from.as_ref().map(|slot| slot.value);
-        if let (Some(over), None, false) = (&parts.over, from, self.context.is_condition) {
-            let help = "write \"From week 6, over 4 weeks, ...\"".to_owned();
-            self.fault(over.span, TimeSentenceMessage::NoBeginning { help });
-        }
-        if let (Some(until), Some(for_days)) = (&parts.until_day, &parts.for_days) {
-            let (text, other) = (self.said(until.span), self.said(for_days.span));
-            self.fault(for_days.span, TimeSentenceMessage::TwoEnds { text, other });
-        }
-        if let (Some(for_days), None, true) =
-            (&parts.for_days, from, parts.months.is_some() || parts.of_month.is_some())
-        {
-            let help = "write from which day, such as \"from 2026-07-01, for 14 days\"".to_owned();
-            self.fault(for_days.span, TimeSentenceMessage::NoBeginning { help });
-        }
-        let days = parts.for_days.as_ref().map(|slot| slot.value as i32);
-        let until = parts.until_day.as_ref().map(|slot| slot.value);
-        let until = until.or(days.map(|days| calendar::later(from.unwrap_or(PhaseDay::Day(0)), days)));
-        if let (Some(fading), None) = (&parts.fading, until) {
-            self.fault(fading.span, TimeSentenceMessage::NoEndToFade);
-        }
-        let first = from.unwrap_or(PhaseDay::Day(0));
-        let first_date = self.context.first_date;
-        let is_before = |day| calendar::days_between(first, day, first_date).is_some_and(|days| days <= 0);
-        let becomes = parts.chance.as_ref().and_then(|slot| Some((slot.span, slot.value.chance.becomes?.1)));
-        if let Some((at, _)) = becomes.filter(|(_, by)| is_before(*by)) {
-            let text = self.said(at);
-            self.fault(at, TimeSentenceMessage::ChangeBeforeBegin { text });
-        }
-        if from.is_some() && until.is_some_and(is_before) {
-            let span = parts.until_day.as_ref().map_or(span, |slot| slot.span);
-            let text = self.said(span);
-            self.fault(span, TimeSentenceMessage::EndBeforeBegin { text });
-        }
-        let days = |slot: &Option<Slot<f64>>| slot.as_ref().map_or(0.0, |slot| slot.value);
-        Phase { from, over_days: days(&parts.over), until, fading_days: days(&parts.fading) }
     }
 }

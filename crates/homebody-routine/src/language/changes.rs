@@ -1,10 +1,10 @@
 //! The meaning of a clause that changes something.
 
-use super::build::Builder;
+use super::builder::Builder;
 use super::messages::SentenceMessage;
-use super::parts::SlotKind;
+use super::parts::{Measure, Of, SlotKind};
 use super::productions::unsaid_chance;
-use super::value::{Clause, Measure, Of, Subject, Verb};
+use super::value::{Clause, SentenceSubject, Verb};
 use crate::routine::{Activity, Effect, HabitChance, HabitTime, RoutineChange, Shy, When};
 use homebody_core::activity::TimeUse;
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
@@ -56,7 +56,7 @@ fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [S
         builder.fault(clause.verb_span, SentenceMessage::OneOuting { text });
         return None;
     }
-    let of_body = clause.subject == Subject::Pulse || clause.subject == Subject::Breathing;
+    let of_body = clause.subject == SentenceSubject::Pulse || clause.subject == SentenceSubject::Breathing;
     Some(match (&clause.verb, measure.map(|Measure { of, by }| (of, by))) {
         (Verb::Does(act), Some((of, by))) => return of_activity(builder, clause, &act.activity, of, by),
         (Verb::Walks | Verb::Is, Some((Of::Faster, by))) => (Effect::Pace(by), PHASE),

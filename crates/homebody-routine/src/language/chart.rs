@@ -3,9 +3,9 @@
 //! Phrases are found from the cheapest on. A word that no rule covers costs much, a contradiction less, so that the first
 //! reading of the whole sentence is the best one.
 
-use super::grammar::{Before, Category, Comma, Element, Grammar, Make, Wanted};
-use super::productions::{Arguments, Kid};
-use super::value::Value;
+use super::grammar::{Category, Comma, Element, Grammar, Preceding, ValueMaker, Wanted};
+use super::productions::arguments::{Arguments, Kid};
+use super::value::PhraseValue;
 use super::words::{SentenceWord, TextSpan};
 use homebody_core::problem::Diagnostic;
 use std::cmp::Reverse;
@@ -26,11 +26,11 @@ const MOST_SKIPPED: u32 = 6;
 pub type PhraseFaults = Option<Rc<Vec<(TextSpan, Diagnostic)>>>;
 
 #[derive(Clone)]
-pub struct Item {
+pub struct Phrase {
     pub category: Category,
     pub start: u8,
     pub end: u8,
-    pub value: Rc<Value>,
+    pub value: Rc<PhraseValue>,
     pub cost: u32,
     pub faults: PhraseFaults,
     /// A bit for each word left out.
@@ -43,14 +43,14 @@ struct Edge {
     dot: u8,
     start: u8,
     end: u8,
-    kids: Option<Rc<Link>>,
+    kids: Option<Rc<PhraseList>>,
     cost: u32,
     skipped: u64,
 }
 
-struct Link {
-    item: Rc<Item>,
-    before: Option<Rc<Link>>,
+struct PhraseList {
+    item: Rc<Phrase>,
+    before: Option<Rc<PhraseList>>,
 }
 
 /// The reason why an unfinished phrase waits: the next element, or words before it.
@@ -68,11 +68,11 @@ pub struct Chart<'a> {
     ids: Vec<Option<u32>>,
     determiners: Vec<bool>,
     text: &'a str,
-    by_start: Vec<Vec<Rc<Item>>>,
-    known: BTreeMap<(Category, u8, u8), Vec<Rc<Item>>>,
+    by_start: Vec<Vec<Rc<Phrase>>>,
+    known: BTreeMap<(Category, u8, u8), Vec<Rc<Phrase>>>,
     waiting: BTreeMap<(u8, Category), Vec<Waiting>>,
     agenda: BinaryHeap<(Reverse<u32>, Reverse<u32>)>,
-    made: Vec<Option<Item>>,
+    made: Vec<Option<Phrase>>,
     pub steps: usize,
     pub most_steps: usize,
     describing: Option<Category>,
@@ -112,16 +112,16 @@ impl<'a> Chart<'a> {
     }
 
     /// Adds a phrase that no rule makes, such as a number or the name of a place.
-    pub fn give(&mut self, category: &str, start: usize, end: usize, value: Value, cost: u32) {
+    pub fn give(&mut self, category: &str, start: usize, end: usize, value: PhraseValue, cost: u32) {
         let Some(category) = self.grammar.known_category(category) else { return };
         let skipped = if cost >= SKIP_COST { 1 << start } else { 0 };
         let (start, end, value) = (start as u8, end as u8, Rc::new(value));
-        self.push(Item { category, start, end, value, cost, faults: None, skipped });
+        self.push(Phrase { category, start, end, value, cost, faults: None, skipped });
     }
 
     /// All readings of the whole sentence of the cheapest class: without faults, else with faults, else with words left out.
     /// A heading covers all of its words.
-    pub fn readings(&mut self, category: &str) -> Vec<Rc<Item>> {
+    pub fn readings(&mut self, category: &str) -> Vec<Rc<Phrase>> {
         let Some(category) = self.grammar.known_category(category) else { return Vec::new() };
         let heading = self.grammar.known_category("Heading");
         for start in 0..self.words.len() {
@@ -172,12 +172,12 @@ impl<'a> Chart<'a> {
     }
 
     /// All phrases of a category.
-    pub fn phrases(&self, category: &str) -> impl Iterator<Item = &Rc<Item>> {
+    pub fn phrases(&self, category: &str) -> impl Iterator<Item = &Rc<Phrase>> {
         let category = self.grammar.known_category(category);
         self.by_start.iter().flatten().filter(move |item| Some(item.category) == category)
     }
 
-    fn extend(&mut self, item: &Rc<Item>) {
+    fn extend(&mut self, item: &Rc<Phrase>) {
         if let Some(waiting) = self.waiting.get(&(item.start, item.category)) {
             for Waiting { edge, describes } in waiting.clone() {
                 self.consume(edge, item, describes);
@@ -198,12 +198,12 @@ impl<'a> Chart<'a> {
         }
     }
 
-    fn consume(&mut self, edge: Edge, item: &Rc<Item>, describes: bool) {
+    fn consume(&mut self, edge: Edge, item: &Rc<Phrase>, describes: bool) {
         let cost = edge.cost + item.cost;
         if cost > MOST_SKIPPED * SKIP_COST {
             return;
         }
-        let kids = Some(Rc::new(Link { item: item.clone(), before: edge.kids.clone() }));
+        let kids = Some(Rc::new(PhraseList { item: item.clone(), before: edge.kids.clone() }));
         let skipped = edge.skipped | item.skipped;
         let dot = edge.dot + u8::from(!describes);
         self.step(Edge { dot, end: item.end, kids, cost, skipped, ..edge });
@@ -243,20 +243,20 @@ impl<'a> Chart<'a> {
             }
             Wanted::Phrase(category) => self.wait(&edge, *category, false),
         }
-        if element.before == Before::Nothing {
+        if element.before == Preceding::Nothing {
             return;
         }
         if self.determiners[at] && !self.commas.get(at + 1).copied().unwrap_or(false) {
             self.expect(Edge { end: edge.end + 1, ..edge.clone() }, element);
         }
-        if let (Before::Describing, Some(category)) = (element.before, self.describing) {
+        if let (Preceding::Describing, Some(category)) = (element.before, self.describing) {
             self.wait(&edge, category, true);
         }
     }
 
     fn wait(&mut self, edge: &Edge, category: Category, describes: bool) {
         self.waiting.entry((edge.end, category)).or_default().push(Waiting { edge: edge.clone(), describes });
-        let found: Vec<Rc<Item>> =
+        let found: Vec<Rc<Phrase>> =
             self.by_start[edge.end as usize].iter().filter(|item| item.category == category).cloned().collect();
         for item in found {
             self.consume(edge.clone(), &item, describes);
@@ -266,7 +266,7 @@ impl<'a> Chart<'a> {
     fn complete(&mut self, edge: &Edge) {
         let rule = &self.grammar.rules[edge.rule as usize];
         let (mut items, mut link) = (Vec::new(), edge.kids.as_ref());
-        while let Some(Link { item, before }) = link.map(Rc::as_ref) {
+        while let Some(PhraseList { item, before }) = link.map(Rc::as_ref) {
             items.push(item.clone());
             link = before.as_ref();
         }
@@ -275,12 +275,12 @@ impl<'a> Chart<'a> {
             items.iter().filter_map(|item| item.faults.as_ref()).flat_map(|faults| faults.iter().cloned()).collect();
         let before = faults.len();
         let value = match &rule.make {
-            Make::Constant(value) => value.clone(),
-            Make::Same => {
-                let said = items.iter().find(|item| *item.value != Value::Unit);
-                said.map_or_else(|| Rc::new(Value::Unit), |item| item.value.clone())
+            ValueMaker::Constant(value) => value.clone(),
+            ValueMaker::Same => {
+                let said = items.iter().find(|item| *item.value != PhraseValue::Unit);
+                said.map_or_else(|| Rc::new(PhraseValue::Unit), |item| item.value.clone())
             }
-            Make::By(production, constants) => {
+            ValueMaker::By(production, constants) => {
                 let kids: Vec<Kid> = items
                     .iter()
                     .map(|item| Kid { value: item.value.clone(), span: self.span(item.start, item.end) })
@@ -301,10 +301,10 @@ impl<'a> Chart<'a> {
         let cost = edge.cost + FAULT_COST * (faults.len() - before) as u32;
         let faults = if faults.is_empty() { None } else { Some(Rc::new(faults)) };
         let (category, start, end, skipped) = (rule.category, edge.start, edge.end, edge.skipped);
-        self.push(Item { category, start, end, value, cost, faults, skipped });
+        self.push(Phrase { category, start, end, value, cost, faults, skipped });
     }
 
-    fn push(&mut self, item: Item) {
+    fn push(&mut self, item: Phrase) {
         let known = self.known.get(&(item.category, item.start, item.end));
         if known.is_some_and(|known| known.iter().any(|known| known.value == item.value)) {
             return;

@@ -1,7 +1,8 @@
 //! The rules of a language, compiled from its grammar and its lexicon: the format is described in `english.grammar`.
 
-use super::productions::{self, Production};
-use super::value::Value;
+use super::productions;
+use super::productions::arguments::Production;
+use super::value::PhraseValue;
 use std::collections::BTreeMap;
 use std::sync::Arc as Rc;
 
@@ -18,7 +19,7 @@ pub enum Comma {
 
 /// Words that may stand before a phrase without being written in the rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Before {
+pub enum Preceding {
     Nothing,
     Determiners,
     /// Determiners and phrases of the category `Describing`.
@@ -37,23 +38,23 @@ pub struct Element {
     pub wanted: Wanted,
     pub optional: bool,
     pub comma: Comma,
-    pub before: Before,
+    pub before: Preceding,
 }
 
 /// The value of a rule, made from those of its phrases.
 #[derive(Clone)]
-pub enum Make {
+pub enum ValueMaker {
     By(Production, Rc<[String]>),
     /// The value of the only phrase that has one, or nothing.
     Same,
-    Constant(Rc<Value>),
+    Constant(Rc<PhraseValue>),
 }
 
 #[derive(Clone)]
 pub struct Rule {
     pub category: Category,
     pub elements: Vec<Element>,
-    pub make: Make,
+    pub make: ValueMaker,
     /// Of two readings, the cheaper one counts.
     pub cost: u32,
 }
@@ -136,9 +137,9 @@ impl Grammar {
             (cost, name) = (said.parse().unwrap_or(0), parts.next().unwrap_or_default());
         }
         let make = match name {
-            "" => Make::Same,
+            "" => ValueMaker::Same,
             _ => match productions::named(name) {
-                Some(production) => Make::By(production, parts.map(str::to_owned).collect()),
+                Some(production) => ValueMaker::By(production, parts.map(str::to_owned).collect()),
                 None => {
                     debug_assert!(false, "no production {name}");
                     return;
@@ -173,7 +174,7 @@ impl Grammar {
             true => Wanted::Phrase(self.category(inner)),
             false => self.any_of(inner.split('|')),
         };
-        Element { wanted, optional, comma: Comma::No, before: Before::Nothing }
+        Element { wanted, optional, comma: Comma::No, before: Preceding::Nothing }
     }
 
     pub fn any_of<'w>(&mut self, words: impl IntoIterator<Item = &'w str>) -> Wanted {

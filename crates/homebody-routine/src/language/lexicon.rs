@@ -4,11 +4,13 @@
 //! names of rooms and furniture, verbs without rules, and what is said in other words. `english.words` begins with how
 //! these are written.
 
-use super::grammar::{Before, Comma, Element, Grammar, Make, Rule, Wanted};
+use super::chart::{Chart, MOST_STEPS};
+use super::grammar::{Comma, Element, Grammar, Preceding, Rule, ValueMaker, Wanted};
 use super::messages::LexiconMessage;
 use super::productions;
-use super::sentence::meaning_of;
-use super::value::Value;
+use super::tokens::Tokens;
+use super::value::{PhraseValue, Range};
+use super::words::{self, Token, is_determiner};
 use crate::routine::Activity;
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Excerpt, Problem};
@@ -228,7 +230,7 @@ impl LexiconWords {
                 }
             }
             Section::List(name) => {
-                let constant = Make::Constant(Arc::new(Value::Unit));
+                let constant = ValueMaker::Constant(Arc::new(PhraseValue::Unit));
                 self.phrase(line, name, &constant);
             }
             Section::Verbs => {}
@@ -241,8 +243,10 @@ impl LexiconWords {
                     self.names.push((entry(said), meant.split(' ').map(str::to_owned).collect()));
                 } else {
                     match meaning_of(self, meant) {
-                        Some(value @ Value::Parts(_)) => self.phrase(said, "Part", &Make::Constant(Arc::new(value))),
-                        Some(value) => self.way(said, &Make::Constant(Arc::new(value))),
+                        Some(value @ PhraseValue::Parts(_)) => {
+                            self.phrase(said, "Part", &ValueMaker::Constant(Arc::new(value)))
+                        }
+                        Some(value) => self.way(said, &ValueMaker::Constant(Arc::new(value))),
                         None => return Err(LexiconMessage::NoMeaning { text: line.to_owned() }),
                     }
                 }
@@ -252,7 +256,7 @@ impl LexiconWords {
     }
 
     /// A way that begins with a verb, in each of its forms.
-    fn way(&mut self, written: &str, make: &Make) {
+    fn way(&mut self, written: &str, make: &ValueMaker) {
         let (first, rest) = written.split_once(' ').unwrap_or((written, ""));
         let Some(verbs) = first.strip_prefix('~') else {
             return FORMS.iter().for_each(|form| self.phrase(written, form, make));
@@ -262,30 +266,30 @@ impl LexiconWords {
         for (at, form) in FORMS.iter().enumerate() {
             let words: Vec<&str> = forms.iter().flat_map(|forms| &forms[at]).map(String::as_str).collect();
             let wanted = self.grammar.any_of(words);
-            let first = Element { wanted, optional: false, comma: Comma::No, before: Before::Nothing };
+            let first = Element { wanted, optional: false, comma: Comma::No, before: Preceding::Nothing };
             let elements = std::iter::once(first).chain(rest.iter().cloned()).collect();
             let category = self.grammar.category(form);
             self.grammar.add(Rule { category, elements, make: make.clone(), cost: 0 });
         }
     }
 
-    fn phrase(&mut self, written: &str, category: &str, make: &Make) {
+    fn phrase(&mut self, written: &str, category: &str, make: &ValueMaker) {
         let mut elements = self.elements(written);
         if let Some(first) = elements.first_mut().filter(|_| !written.starts_with('*')) {
-            first.before = Before::Nothing;
+            first.before = Preceding::Nothing;
         }
         // Describing words in front of a noun are a rule of their own.
         if written.starts_with('*') {
-            elements[0].before = Before::Nothing;
+            elements[0].before = Preceding::Nothing;
             let describing = self.grammar.category("Describing");
             let front = Element {
                 wanted: Wanted::Phrase(describing),
                 optional: false,
                 comma: Comma::No,
-                before: Before::Nothing,
+                before: Preceding::Nothing,
             };
             let mut described = elements.clone();
-            described[0].before = Before::Describing;
+            described[0].before = Preceding::Describing;
             described.insert(0, front);
             let category = self.grammar.category(category);
             self.grammar.add(Rule { category, elements: described, make: make.clone(), cost: 0 });
@@ -301,7 +305,7 @@ impl LexiconWords {
     fn piece(&mut self, written: &str) -> Element {
         let optional = written.starts_with('[');
         let inner = written.trim_matches(['[', ']']);
-        let before = if inner.starts_with('*') { Before::Describing } else { Before::Determiners };
+        let before = if inner.starts_with('*') { Preceding::Describing } else { Preceding::Determiners };
         let inner = inner.trim_start_matches('*');
         let wanted = match inner {
             "SELF" => self.grammar.any_of(["herself", "himself", "themselves", "themself", "itself"]),
@@ -330,10 +334,10 @@ impl LexiconWords {
     }
 }
 
-fn way(constants: [String; 2]) -> Make {
+fn way(constants: [String; 2]) -> ValueMaker {
     match productions::named("way") {
-        Some(production) => Make::By(production, Arc::new(constants)),
-        None => Make::Same,
+        Some(production) => ValueMaker::By(production, Arc::new(constants)),
+        None => ValueMaker::Same,
     }
 }
 
@@ -393,4 +397,29 @@ fn is_doubled(verb: &str) -> bool {
         }
         _ => false,
     }
+}
+
+/// The value of words that a lexicon gives as the meaning of others: a part of a sentence, or what is done.
+pub fn meaning_of(lexicon: &LexiconWords, text: &str) -> Option<PhraseValue> {
+    let words = words::of_name(text);
+    let tokens = Tokens::new(&words);
+    for category in ["Parts", "Does"] {
+        let grammar = &lexicon.grammar;
+        let mut chart = Chart::new(grammar, text, &tokens.words, &tokens.commas, &is_determiner, MOST_STEPS);
+        for (at, word) in tokens.words.iter().enumerate() {
+            match word.token {
+                Token::Number(number) => chart.give("NUMBER", at, at + 1, PhraseValue::Number(number), 0),
+                Token::Clock(hours, minutes) => {
+                    let range = Range { from: f64::from(hours), to: f64::from(minutes), about: false };
+                    chart.give("CLOCK", at, at + 1, PhraseValue::Range(range), 0);
+                }
+                _ => {}
+            }
+        }
+        let found = chart.readings(category);
+        if let Some(item) = found.iter().find(|item| item.faults.is_none()) {
+            return Some(PhraseValue::clone(&item.value));
+        }
+    }
+    None
 }

@@ -2,14 +2,8 @@
 
 use super::known_names::KnownNames;
 use super::lexicon::Lexicon;
-use super::words::{self, SentenceWord, Token};
+use super::words::{self, SentenceWord, Token, is_determiner};
 use std::collections::BTreeMap;
-
-const DETERMINERS: [&str; 10] = ["a", "an", "the", "her", "his", "their", "its", "some", "my", "own"];
-
-pub fn is_determiner(word: &str) -> bool {
-    DETERMINERS.contains(&word)
-}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Sort {

@@ -1,9 +1,69 @@
 //! Said, where, how often and how long: the parts of a sentence that stand in any order. Each fills a slot, once.
 
-use super::value::{Chance, Measure, Said};
 use super::words::TextSpan;
-use crate::routine::{DayKind, DaySelection, FallEnds, FallsFrom, PartOfDay, PhaseDay};
+use crate::routine::{Activity, DayKind, DaySelection, FallEnds, FallsFrom, HabitChance, PartOfDay, PhaseDay};
 use homebody_core::fuzzy::Fuzzy;
+
+/// A time of the day in seconds since midnight. An open one is of either half of the day, and below twelve hours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClockTime {
+    pub s: f64,
+    pub open: bool,
+    /// Whether the half of the day was named.
+    pub half: bool,
+    pub span: TextSpan,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimeOfDay {
+    pub clock: ClockTime,
+    /// How far the time varies, in seconds.
+    pub spread_s: f64,
+}
+
+/// Said something is done, with open times.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Said {
+    At(TimeOfDay),
+    Between(TimeOfDay, TimeOfDay),
+    FromTo(TimeOfDay, TimeOfDay),
+    By(TimeOfDay),
+    Within(PartOfDay),
+    After(Activity, Option<Fuzzy>),
+    Before(Activity, Option<Fuzzy>),
+    With(Activity),
+    Then,
+}
+
+/// A probability; a rate counts on all days of a period, whatever the days of the sentence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chance {
+    pub chance: HabitChance,
+    pub is_rate: bool,
+}
+
+/// The amount of a change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measure {
+    pub of: Of,
+    pub by: Fuzzy,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    Later,
+    LongerBy,
+    Longer,
+    Oftener,
+    Much,
+    Faster,
+    FasterBy { each_week: bool },
+    Active,
+    Restless,
+    Beats,
+    Breaths,
+    Some,
+}
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slot<T> {

@@ -1,15 +1,16 @@
 //! Why a sentence is refused: the words that nothing covers, and sentences that keep the rest.
 
 use super::activities::all_phrases;
-use super::build::{Built, Context};
+use super::builder::{Built, Context};
 use super::chart::{Chart, MOST_STEPS};
+use super::filled_chart::is_read;
 use super::messages::{SentenceMessage, WordMessage};
-use super::names::{HomeNames, Sort, is_determiner};
-use super::productions::said;
-use super::sentence::{Tokens, is_read, span_of};
-use super::words::{SentenceWord, TextSpan, Token};
+use super::names::{HomeNames, Sort};
+use super::productions::arguments::said;
+use super::statement::statements;
+use super::tokens::{Tokens, span_of};
+use super::words::{SentenceWord, TextSpan, Token, is_determiner};
 use crate::routine::Routine;
-use crate::statement::statements;
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Advice, Diagnostic};
 use std::cmp::Reverse;
@@ -25,6 +26,8 @@ const DENIALS: [&str; 17] = [
 /// Parts of words for times.
 const TIMES: [&str; 14] =
     ["night", "day", "morn", "even", "noon", "week", "month", "year", "hour", "time", "late", "early", "dawn", "dusk"];
+/// Verbs of conditions alone.
+const SHOWS: [&str; 4] = ["shows", "show", "develops", "develop"];
 const WHERE: [&str; 6] = ["in", "on", "at", "by", "near", "beside"];
 
 type Faults = Vec<(TextSpan, Diagnostic)>;
@@ -139,7 +142,7 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
         return vec![(span, WordMessage::NotUnderstood { text: said(text, span), help: Some(help.into()) }.into())];
     }
     let subject = chart
-        .phrases("Subject")
+        .phrases("SentenceSubject")
         .filter(|item| item.skipped == 0)
         .map(|item| (item.start as usize, item.end as usize))
         .min();
@@ -165,6 +168,13 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
         let spoken = said(text, span).to_lowercase();
         if chart.most_steps < MOST_STEPS {
             return vec![(span, WordMessage::UnknownVerb { text: spoken, help: None }.into())];
+        }
+        if let (true, [rest @ .., last]) = (SHOWS.contains(&words[verb].text.as_str()), &doing[1..]) {
+            let named =
+                rest.iter().rfind(|word| names.lexicon.grammar.known_word(&word.text).is_none()).unwrap_or(last);
+            let text = said(text, named.span);
+            let help = known_or_nearest(&text, names.of(&[Sort::Condition]));
+            return vec![(named.span, WordMessage::UnknownCondition { text, help }.into())];
         }
         if let Some(meant) = slip(names, doing, &spoken) {
             return vec![(span, WordMessage::UnknownVerb { text: spoken, help: Some(Advice::meant(&meant)) }.into())];

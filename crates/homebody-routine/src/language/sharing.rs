@@ -5,8 +5,8 @@
 //! is done on its share of the days.
 
 use super::messages::SentenceMessage;
-use super::parts::{Parts, Slot};
-use super::value::{Chance, Clause, Join, Said, Verb};
+use super::parts::{Chance, Parts, Said, Slot};
+use super::value::{Clause, Join, Verb};
 use super::words::TextSpan;
 use crate::routine::{Activity, HabitChance};
 use homebody_core::problem::Diagnostic;

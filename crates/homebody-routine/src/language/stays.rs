@@ -1,11 +1,11 @@
 //! Absences and visits of several days.
 
 use super::amounts::DAY_S;
-use super::build::Builder;
+use super::builder::Builder;
 use super::calendar::{self, days_between};
 use super::messages::TimeSentenceMessage;
-use super::parts::Parts;
-use super::value::{Clause, Said};
+use super::parts::{Parts, Said};
+use super::value::Clause;
 use crate::routine::{Activity, HabitTime, Phase};
 use homebody_core::fuzzy::Fuzzy;
 

@@ -1,20 +1,19 @@
 //! The values of phrases: numbers, times, parts of a sentence, clauses.
 
-use super::parts::Parts;
+use super::parts::{Chance, ClockTime, Measure, Parts, TimeOfDay};
 use super::words::TextSpan;
 use crate::routine::{
-    Activity, Circumstance, DayKind, Falling, HabitChance, Lapse, PartOfDay, PhaseDay, ResidentKind, Response,
-    RuleTrigger, Shy,
+    Activity, Circumstance, DayKind, Falling, Lapse, PartOfDay, PhaseDay, ResidentKind, Response, RuleTrigger, Shy,
 };
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::Fuzzy;
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum PhraseValue {
     Unit,
     Number(f64),
     Range(Range),
-    Clock(Clock),
+    Clock(ClockTime),
     Time(TimeOfDay),
     Weekdays(u8),
     Months(u16),
@@ -29,7 +28,7 @@ pub enum Value {
     Measure(Measure),
     Act(Act),
     Name(String),
-    Subject(Subject),
+    Subject(SentenceSubject),
     Verb(Verb),
     Clause(Box<Clause>),
     Clauses(Vec<(Join, Clause)>),
@@ -38,7 +37,7 @@ pub enum Value {
     Circumstances(Vec<Circumstance>),
     Answers(Vec<Answer>),
     Lapse(Lapse),
-    Statement(Box<Statement>),
+    Statement(Box<SpokenStatement>),
 }
 
 /// A number or a range, with or without "about".
@@ -47,67 +46,6 @@ pub struct Range {
     pub from: f64,
     pub to: f64,
     pub about: bool,
-}
-
-/// A time of the day in seconds since midnight. An open one is of either half of the day, and below twelve hours.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Clock {
-    pub s: f64,
-    pub open: bool,
-    /// Whether the half of the day was named.
-    pub half: bool,
-    pub span: TextSpan,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TimeOfDay {
-    pub clock: Clock,
-    /// How far the time varies, in seconds.
-    pub spread_s: f64,
-}
-
-/// Said something is done, with open times.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Said {
-    At(TimeOfDay),
-    Between(TimeOfDay, TimeOfDay),
-    FromTo(TimeOfDay, TimeOfDay),
-    By(TimeOfDay),
-    Within(PartOfDay),
-    After(Activity, Option<Fuzzy>),
-    Before(Activity, Option<Fuzzy>),
-    With(Activity),
-    Then,
-}
-
-/// A probability; a rate counts on all days of a period, whatever the days of the sentence.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Chance {
-    pub chance: HabitChance,
-    pub is_rate: bool,
-}
-
-/// The amount of a change.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measure {
-    pub of: Of,
-    pub by: Fuzzy,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Of {
-    Later,
-    LongerBy,
-    Longer,
-    Oftener,
-    Much,
-    Faster,
-    FasterBy { each_week: bool },
-    Active,
-    Restless,
-    Beats,
-    Breaths,
-    Some,
 }
 
 /// An activity as said, with what its words add.
@@ -120,7 +58,7 @@ pub struct Act {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum Subject {
+pub enum SentenceSubject {
     Person,
     Visitor(String),
     /// A name that is not the person's.
@@ -178,7 +116,7 @@ pub enum Join {
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clause {
-    pub subject: Subject,
+    pub subject: SentenceSubject,
     pub verb: Verb,
     pub verb_span: TextSpan,
     pub parts: Parts,
@@ -206,7 +144,7 @@ pub struct RuleSaid {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum Statement {
+pub enum SpokenStatement {
     Heading(Parts),
     /// Parts in front of all clauses, and the clauses.
     Clauses(Parts, Vec<(Join, Clause)>),

@@ -110,6 +110,12 @@ pub fn of_name(name: &str) -> Vec<SentenceWord> {
     sentences(TextLine { start: 0, text: name }).into_iter().flat_map(|sentence| sentence.words).collect()
 }
 
+const DETERMINERS: [&str; 10] = ["a", "an", "the", "her", "his", "their", "its", "some", "my", "own"];
+
+pub fn is_determiner(word: &str) -> bool {
+    DETERMINERS.contains(&word)
+}
+
 struct Lexer<'t> {
     text: &'t str,
     chars: Vec<(usize, char)>,

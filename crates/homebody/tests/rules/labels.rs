@@ -22,7 +22,7 @@ const OTHER_MEANINGS: [(&str, &str, &str); 23] = [
     ("crates/homebody-log/src/run_log/truth_log.rs", "away", "a motion state"),
     ("crates/homebody-log/src/run_log/truth_log.rs", "reading", "what a sensor measures"),
     ("crates/homebody-picture/src/density_map.rs", "away", "nobody at home"),
-    ("crates/homebody-routine/src/language/build.rs", "away", "a word of the language"),
+    ("crates/homebody-routine/src/language/changes.rs", "away", "a word of the language"),
     ("crates/homebody-routine/src/behaviour/keys.rs", "away", "what a rule waits for"),
     ("web/src/views/library/Library.svelte", "waiting", "a state of the page"),
     ("web/src/views/life/Life.svelte", "waiting", "a state of the page"),

@@ -1,10 +1,10 @@
 //! The details of falls.
 
-use super::Builder;
+use crate::language::builder::Builder;
 use crate::language::messages::TimeSentenceMessage;
-use crate::language::parts::{Parts, Slot};
-use crate::language::productions::said;
-use crate::language::value::{Chance, Clause, Verb};
+use crate::language::parts::{Chance, Parts, Slot};
+use crate::language::productions::arguments::said;
+use crate::language::value::{Clause, Verb};
 use crate::routine::{Activity, FallEnds, Falling, FallsFrom};
 
 impl Builder<'_> {

@@ -1,6 +1,6 @@
 //! Rules and their responses.
 
-use super::Builder;
+use crate::language::builder::Builder;
 use crate::language::messages::RuleSentenceMessage;
 use crate::language::parts::{Parts, SlotKind};
 use crate::language::value::RuleSaid;

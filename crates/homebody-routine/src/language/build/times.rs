@@ -1,12 +1,11 @@
 //! Times of day: open ones are decided by the rest of the sentence.
 
-use super::Builder;
 use crate::language::amounts::DAY_S;
+use crate::language::builder::Builder;
 use crate::language::clock::{both_halves, half_of_activity, half_of_part};
 use crate::language::messages::TimeSentenceMessage;
-use crate::language::parts::{Parts, Slot};
+use crate::language::parts::{Parts, Said, Slot, TimeOfDay};
 use crate::language::times::{HOUR_S, is_of_next_day};
-use crate::language::value::{Said, TimeOfDay};
 use crate::routine::{Activity, HabitTime, PartOfDay};
 use homebody_core::fuzzy::Fuzzy;
 

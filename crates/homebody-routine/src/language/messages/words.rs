@@ -80,6 +80,14 @@ homebody_core::messages! {
             text: String,
         } error "not-a-person" ("{text:?} is neither the person of this routine nor a known visitor")
             hint ("a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"");
+        /// Homebody includes some conditions. A scenario can add its own as `conditions/NAME.routine`.
+        UnknownCondition {
+            /// The words.
+            text: String,
+            /// The hint, with the nearest name or all of them.
+            help: Option<Advice>,
+        } error "unknown-condition" ("{text:?} is not a known condition")
+            advice (help.clone());
         /// A comparison of two names that differ by a letter: probably one of them is a mistake.
         SimilarVisitors {
             /// The name here.

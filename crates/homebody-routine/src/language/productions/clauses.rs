@@ -1,12 +1,12 @@
 //! Parts, clauses, and how clauses are joined.
 
+use super::arguments::{Arguments, Production, parts};
 use super::days::as_kind;
 use super::times::{as_part, as_parts};
 use super::verbs::{act_of, as_verb};
-use super::{Arguments, Production, parts};
 use crate::language::messages::TimeSentenceMessage;
-use crate::language::parts::{Parts, Slot};
-use crate::language::value::{Act, Clause, Join, Measure, Of, Said, Statement, Subject, Value, Verb};
+use crate::language::parts::{Measure, Of, Parts, Said, Slot};
+use crate::language::value::{Act, Clause, Join, PhraseValue, SentenceSubject, SpokenStatement, Verb};
 use crate::language::words::TextSpan;
 use crate::routine::{Activity, DayKind, HabitChance, PartOfDay};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
@@ -36,28 +36,28 @@ pub fn named(name: &str) -> Option<Production> {
             let front = front.first().cloned().unwrap_or_default();
             let all = merged(a, &front, behind);
             let at_night = all.part.as_ref().is_some_and(|slot| slot.value == [PartOfDay::Night]);
-            let clause = plain(a, Subject::Person, Verb::Does(act));
-            at_night.then(|| Value::Clause(Box::new(Clause { parts: all, behind: behind.clone(), ..clause })))
+            let clause = plain(a, SentenceSubject::Person, Verb::Does(act));
+            at_night.then(|| PhraseValue::Clause(Box::new(Clause { parts: all, behind: behind.clone(), ..clause })))
         },
         // "Usually falls at night": that is when most falls are.
         "clause_mostly" => |a| {
             let verb = a.one(as_verb)?;
             let is_fall =
                 matches!(&verb, Verb::Falls(_)) || matches!(&verb, Verb::Does(act) if act.activity == Activity::Fall);
-            let at = a.kids.iter().position(|kid| matches!(*kid.value, Value::PartOfDay(_)))?;
+            let at = a.kids.iter().position(|kid| matches!(*kid.value, PhraseValue::PartOfDay(_)))?;
             let part = a.one(as_part)?;
             let mostly = Slot { value: part[0], span: a.kids[at].span, own: true };
             let behind = Parts { mostly: Some(mostly), ..Parts::default() };
             let behind = a.one(as_parts).map_or(behind.clone(), |parts| merged(a, &behind, &parts));
-            let clause = plain(a, Subject::Person, verb);
-            is_fall.then(|| Value::Clause(Box::new(Clause { parts: behind.clone(), behind, ..clause })))
+            let clause = plain(a, SentenceSubject::Person, verb);
+            is_fall.then(|| PhraseValue::Clause(Box::new(Clause { parts: behind.clone(), behind, ..clause })))
         },
         "first_clause" => |a| {
             let clause = a.one(as_clause)?;
             if clause.verb == Verb::Eats {
                 return None;
             }
-            Some(Value::Clauses(vec![(Join::Then, clause)]))
+            Some(PhraseValue::Clauses(vec![(Join::Then, clause)]))
         },
         "join" => join,
         "again" => |a| {
@@ -71,7 +71,7 @@ pub fn named(name: &str) -> Option<Production> {
                 return None;
             }
             // "Every third Monday and Friday" leaves open which Fridays.
-            let begins = |kid: &super::Kid| a.words.iter().find(|word| word.span.start == kid.span.start);
+            let begins = |kid: &super::arguments::Kid| a.words.iter().find(|word| word.span.start == kid.span.start);
             if a.kids[1..].iter().any(|kid| {
                 begins(kid).is_some_and(|word| {
                     word.text.len() > 2
@@ -90,7 +90,7 @@ pub fn named(name: &str) -> Option<Production> {
                 let again = Clause { parts: one.clone(), behind: one, span, ..last.clone() };
                 clauses.push((Join::Again, again));
             }
-            Some(Value::Clauses(clauses))
+            Some(PhraseValue::Clauses(clauses))
         },
         "again_noun" => |a| {
             let mut clauses = a.one(as_clauses)?;
@@ -103,9 +103,9 @@ pub fn named(name: &str) -> Option<Production> {
             let start = a.kids[1].span.start;
             let again = Clause { parts: parts.clone(), behind: parts, span: TextSpan { start, ..a.span }, ..last };
             clauses.push((Join::Again, again));
-            is_same.then_some(Value::Clauses(clauses))
+            is_same.then_some(PhraseValue::Clauses(clauses))
         },
-        "heading" => |a| Some(Value::Statement(Box::new(Statement::Heading(a.one(as_parts)?)))),
+        "heading" => |a| Some(PhraseValue::Statement(Box::new(SpokenStatement::Heading(a.one(as_parts)?)))),
         "statement" => |a| statement(a, None),
         "statement_then" => |a| {
             let end = a.kids[0].span.start;
@@ -125,7 +125,7 @@ pub fn named(name: &str) -> Option<Production> {
                 front.chance = None;
             }
             let clause = days_are(a, kind, very, a.span);
-            Some(Value::Statement(Box::new(Statement::Clauses(front, vec![(Join::Then, clause)]))))
+            Some(PhraseValue::Statement(Box::new(SpokenStatement::Clauses(front, vec![(Join::Then, clause)]))))
         },
         "days_are_both" => |a| {
             let (fronts, kinds) = (a.all(as_parts), a.all(as_kind));
@@ -133,33 +133,39 @@ pub fn named(name: &str) -> Option<Production> {
                 let clause = days_are(a, kind, false, a.span);
                 (Join::Then, Clause { parts: front.clone(), ..clause })
             });
-            Some(Value::Statement(Box::new(Statement::Clauses(Parts::default(), clauses.collect()))))
+            Some(PhraseValue::Statement(Box::new(SpokenStatement::Clauses(Parts::default(), clauses.collect()))))
         },
         "some_and_some" => |a| {
             let kinds = a.all(as_kind);
             let clauses = kinds.into_iter().map(|kind| (Join::Then, days_are(a, kind, false, a.span)));
-            Some(Value::Statement(Box::new(Statement::Clauses(Parts::default(), clauses.collect()))))
+            Some(PhraseValue::Statement(Box::new(SpokenStatement::Clauses(Parts::default(), clauses.collect()))))
         },
         "days_differ" => |a| {
             let measure = a.slot(Measure { of: Of::Much, by: Fuzzy::exactly(2.0) });
-            let clause = plain(a, Subject::Hours, Verb::Differ);
+            let clause = plain(a, SentenceSubject::Hours, Verb::Differ);
             let clause = Clause { parts: Parts { measure, ..Parts::default() }, ..clause };
-            Some(Value::Statement(Box::new(Statement::Clauses(Parts::default(), vec![(Join::Then, clause)]))))
+            Some(PhraseValue::Statement(Box::new(SpokenStatement::Clauses(
+                Parts::default(),
+                vec![(Join::Then, clause)],
+            ))))
         },
         "sleeps_in" => |a| {
-            let clause = plain(a, Subject::Person, Verb::SleepsIn);
-            Some(Value::Statement(Box::new(Statement::Clauses(Parts::default(), vec![(Join::Then, clause)]))))
+            let clause = plain(a, SentenceSubject::Person, Verb::SleepsIn);
+            Some(PhraseValue::Statement(Box::new(SpokenStatement::Clauses(
+                Parts::default(),
+                vec![(Join::Then, clause)],
+            ))))
         },
         _ => return None,
     })
 }
 
-fn plain(a: &Arguments, subject: Subject, verb: Verb) -> Clause {
+fn plain(a: &Arguments, subject: SentenceSubject, verb: Verb) -> Clause {
     Clause { subject, verb, verb_span: a.span, parts: Parts::default(), behind: Parts::default(), span: a.span }
 }
 
 fn days_are(a: &Arguments, kind: DayKind, very: bool, span: TextSpan) -> Clause {
-    Clause { span, ..plain(a, Subject::Person, Verb::Lively(kind, very)) }
+    Clause { span, ..plain(a, SentenceSubject::Person, Verb::Lively(kind, very)) }
 }
 
 /// Both together; what is said twice is a problem.
@@ -179,11 +185,11 @@ pub fn merged(a: &mut Arguments, first: &Parts, second: &Parts) -> Parts {
     all
 }
 
-fn clause(a: &mut Arguments, then: Option<TextSpan>) -> Option<Value> {
-    let at = a.kids.iter().position(|kid| matches!(*kid.value, Value::Verb(_)))?;
+fn clause(a: &mut Arguments, then: Option<TextSpan>) -> Option<PhraseValue> {
+    let at = a.kids.iter().position(|kid| matches!(*kid.value, PhraseValue::Verb(_)))?;
     let (mut verb, verb_span) = (a.one(as_verb)?, a.kids[at].span);
     let subject = a.one(|value| match value {
-        Value::Subject(subject) => Some(subject.clone()),
+        PhraseValue::Subject(subject) => Some(subject.clone()),
         _ => None,
     });
     let before = a.kids[..at].iter().find_map(|kid| as_parts(&kid.value)).unwrap_or_default();
@@ -203,48 +209,48 @@ fn clause(a: &mut Arguments, then: Option<TextSpan>) -> Option<Value> {
         behind = merged(a, &when, &behind);
     }
     let all = merged(a, &before, &behind);
-    let is_visitor = matches!(subject, Some(Subject::Visitor(_)));
+    let is_visitor = matches!(subject, Some(SentenceSubject::Visitor(_)));
     if !(is_visitor && matches!(verb, Verb::Does(_)) || fits(subject.as_ref(), &verb)) {
         return None;
     }
     // The person is on the phone or out, whoever takes part.
     let subject = match (subject, &verb) {
-        (_, Verb::Does(_)) if is_visitor => Subject::Person,
+        (_, Verb::Does(_)) if is_visitor => SentenceSubject::Person,
         (Some(subject), _) => subject,
-        (None, _) => Subject::Days,
+        (None, _) => SentenceSubject::Days,
     };
-    Some(Value::Clause(Box::new(Clause { subject, verb, verb_span, parts: all, behind, span: a.span })))
+    Some(PhraseValue::Clause(Box::new(Clause { subject, verb, verb_span, parts: all, behind, span: a.span })))
 }
 
 /// Whether who it is can do that. Without a subject, it is that of the clause before.
-fn fits(subject: Option<&Subject>, verb: &Verb) -> bool {
+fn fits(subject: Option<&SentenceSubject>, verb: &Verb) -> bool {
     let of_body = matches!(verb, Verb::Vary | Verb::Differ | Verb::Rises(_));
     match (subject, verb) {
         (None, _) => true,
-        (Some(Subject::Stranger(_)), Verb::Visits) => true,
-        (Some(Subject::Person | Subject::Stranger(_)), Verb::Visits | Verb::Helps(..)) => false,
-        (Some(Subject::Person | Subject::Stranger(_)), _) => !of_body,
-        (Some(Subject::Visitor(_)), verb) => matches!(verb, Verb::Visits | Verb::Helps(..)),
-        (Some(Subject::Hours | Subject::Days), verb) => matches!(verb, Verb::Vary | Verb::Differ),
-        (Some(Subject::Pulse | Subject::Breathing), verb) => matches!(verb, Verb::Rises(_) | Verb::Is),
+        (Some(SentenceSubject::Stranger(_)), Verb::Visits) => true,
+        (Some(SentenceSubject::Person | SentenceSubject::Stranger(_)), Verb::Visits | Verb::Helps(..)) => false,
+        (Some(SentenceSubject::Person | SentenceSubject::Stranger(_)), _) => !of_body,
+        (Some(SentenceSubject::Visitor(_)), verb) => matches!(verb, Verb::Visits | Verb::Helps(..)),
+        (Some(SentenceSubject::Hours | SentenceSubject::Days), verb) => matches!(verb, Verb::Vary | Verb::Differ),
+        (Some(SentenceSubject::Pulse | SentenceSubject::Breathing), verb) => matches!(verb, Verb::Rises(_) | Verb::Is),
     }
 }
 
-pub fn as_clause(value: &Value) -> Option<Clause> {
+pub fn as_clause(value: &PhraseValue) -> Option<Clause> {
     match value {
-        Value::Clause(clause) => Some(Clause::clone(clause)),
+        PhraseValue::Clause(clause) => Some(Clause::clone(clause)),
         _ => None,
     }
 }
 
-fn as_clauses(value: &Value) -> Option<Vec<(Join, Clause)>> {
+fn as_clauses(value: &PhraseValue) -> Option<Vec<(Join, Clause)>> {
     match value {
-        Value::Clauses(clauses) => Some(clauses.clone()),
+        PhraseValue::Clauses(clauses) => Some(clauses.clone()),
         _ => None,
     }
 }
 
-fn join(a: &mut Arguments) -> Option<Value> {
+fn join(a: &mut Arguments) -> Option<PhraseValue> {
     let (mut clauses, next) = (a.one(as_clauses)?, a.one(as_clause)?);
     let join = match a.constant(0) {
         "And" => Join::And,
@@ -255,7 +261,7 @@ fn join(a: &mut Arguments) -> Option<Value> {
         return None;
     }
     let subject = match next.subject {
-        Subject::Days => clauses.last()?.1.subject.clone(),
+        SentenceSubject::Days => clauses.last()?.1.subject.clone(),
         ref other => other.clone(),
     };
     if !fits(Some(&subject), &next.verb) {
@@ -288,10 +294,10 @@ fn join(a: &mut Arguments) -> Option<Value> {
     {
         last.verb = verb;
         last.span = last.span.to(next.span);
-        return Some(Value::Clauses(clauses));
+        return Some(PhraseValue::Clauses(clauses));
     }
     clauses.push((join, Clause { subject, verb, parts: Parts { when, ..next.parts }, span, ..next }));
-    Some(Value::Clauses(clauses))
+    Some(PhraseValue::Clauses(clauses))
 }
 
 /// Eating the meal that was prepared before.
@@ -303,10 +309,10 @@ fn eats(clauses: &[(Join, Clause)], span: TextSpan) -> Option<Act> {
     Some(act_of(Activity::Eat(meal), span))
 }
 
-fn statement(a: &mut Arguments, then: Option<TextSpan>) -> Option<Value> {
+fn statement(a: &mut Arguments, then: Option<TextSpan>) -> Option<PhraseValue> {
     let mut clauses = a.one(as_clauses)?;
     let front = a.one(as_parts).unwrap_or_default();
-    if clauses.iter().any(|(_, clause)| clause.subject == Subject::Days) {
+    if clauses.iter().any(|(_, clause)| clause.subject == SentenceSubject::Days) {
         return None;
     }
     let first = &mut clauses[0].1;
@@ -320,7 +326,7 @@ fn statement(a: &mut Arguments, then: Option<TextSpan>) -> Option<Value> {
     let first = first.clone();
     // The parts in front are about all; with those of the first clause they must not say a thing twice.
     merged(a, &front, &first.parts);
-    Some(Value::Statement(Box::new(Statement::Clauses(front, clauses))))
+    Some(PhraseValue::Statement(Box::new(SpokenStatement::Clauses(front, clauses))))
 }
 
 /// The probability of a kind of days of which none is said.

@@ -1,11 +1,11 @@
 //! Weekdays, months, dates, and the days of the run from which and until which something holds.
 
+use super::arguments::{Arguments, Production, parts};
 use super::times::as_part;
-use super::{Arguments, Production, parts};
 use crate::language::calendar::{self, LAST_WEEK};
 use crate::language::messages::TimeSentenceMessage;
 use crate::language::parts::Parts;
-use crate::language::value::Value;
+use crate::language::value::PhraseValue;
 use crate::routine::{DayKind, DaySelection, PartOfDay, PhaseDay};
 
 pub fn named(name: &str) -> Option<Production> {
@@ -13,9 +13,9 @@ pub fn named(name: &str) -> Option<Production> {
         "weekdays" => |a| {
             let days =
                 [a.numbers(), a.number_constants()].concat().iter().fold(0, |days, day| days | 1_u8 << *day as u8);
-            Some(Value::Weekdays(days | a.one(as_weekdays).unwrap_or(0)))
+            Some(PhraseValue::Weekdays(days | a.one(as_weekdays).unwrap_or(0)))
         },
-        "weekday_range" => |a| Some(Value::Weekdays(weekday_range(&a.numbers()))),
+        "weekday_range" => |a| Some(PhraseValue::Weekdays(weekday_range(&a.numbers()))),
         "on_days" => |a| {
             let days = a.one(as_weekdays)?;
             on_days(a, days, a.one(as_part))
@@ -36,7 +36,7 @@ pub fn named(name: &str) -> Option<Production> {
         "months" => |a| {
             let months = a.number_constants().iter().fold(0, |months, month| months | 1_u16 << (*month as u16 - 1));
             let months = a.numbers().iter().fold(months, |months, month| months | 1_u16 << (*month as u16 - 1));
-            Some(Value::Months(a.all(as_months).iter().fold(months, |months, more| months | more)))
+            Some(PhraseValue::Months(a.all(as_months).iter().fold(months, |months, more| months | more)))
         },
         "in_months" => |a| {
             let months = a.one(as_months)?;
@@ -69,9 +69,9 @@ pub fn named(name: &str) -> Option<Production> {
             let kind = a.one(as_kind)?;
             parts(Parts { kind: a.slot(kind), ..Parts::default() })
         },
-        "kind" => |a| Some(Value::DayKind(if a.constant(0) == "Quiet" { DayKind::Quiet } else { DayKind::Busy })),
+        "kind" => |a| Some(PhraseValue::DayKind(if a.constant(0) == "Quiet" { DayKind::Quiet } else { DayKind::Busy })),
         "date" => |a| match a.kids[0].value.as_ref() {
-            Value::Moment(PhaseDay::Date(year, month, day), _) => {
+            PhraseValue::Moment(PhaseDay::Date(year, month, day), _) => {
                 Some(date(a, f64::from(*year), f64::from(*month), f64::from(*day)))
             }
             _ => None,
@@ -85,20 +85,20 @@ pub fn named(name: &str) -> Option<Production> {
             let (unit, number) = (a.numbers()[0], a.numbers()[1]);
             if number.fract() != 0.0 || !(1.0..=36_525.0).contains(&number) {
                 a.fault(a.span, TimeSentenceMessage::NoDay { text: a.said(a.span) });
-                return Some(Value::Moment(PhaseDay::Day(0), 1));
+                return Some(PhraseValue::Moment(PhaseDay::Day(0), 1));
             }
-            Some(Value::Moment(PhaseDay::Day((number as i32 - 1).saturating_mul(unit as i32)), unit as i32))
+            Some(PhraseValue::Moment(PhaseDay::Day((number as i32 - 1).saturating_mul(unit as i32)), unit as i32))
         },
         "nth" => |a| {
             let (nth, unit) = (a.numbers()[0], a.numbers()[1]);
             let is_day = nth.fract() == 0.0 && (1.0..=1000.0).contains(&nth);
-            is_day.then(|| Value::Moment(PhaseDay::Day((nth as i32 - 1) * unit as i32), unit as i32))
+            is_day.then(|| PhraseValue::Moment(PhaseDay::Day((nth as i32 - 1) * unit as i32), unit as i32))
         },
         "first_days" => |a| {
             let number = a.numbers();
             let (number, unit) = (number[number.len() - 2], number[number.len() - 1]);
             let is_count = number.fract() == 0.0 && (1.0..=1000.0).contains(&number);
-            is_count.then(|| Value::Moment(PhaseDay::Day(0), (number * unit) as i32))
+            is_count.then(|| PhraseValue::Moment(PhaseDay::Day(0), (number * unit) as i32))
         },
         "in_moment" => |a| {
             let numbers = a.numbers();
@@ -143,7 +143,7 @@ pub fn named(name: &str) -> Option<Production> {
         "which_day" => |a| {
             let span = a.kids[0].span;
             a.fault(span, TimeSentenceMessage::WhichDay { text: a.said(span) });
-            Some(Value::Parts(Box::default()))
+            Some(PhraseValue::Parts(Box::default()))
         },
         "over" => |a| {
             let days = *a.numbers().last()?;
@@ -161,35 +161,35 @@ pub fn named(name: &str) -> Option<Production> {
                 false => Parts { for_days: a.slot(days), ..Parts::default() },
             })
         },
-        "nothing" => |_| Some(Value::Parts(Box::default())),
+        "nothing" => |_| Some(PhraseValue::Parts(Box::default())),
         _ => return None,
     })
 }
 
-pub fn as_weekdays(value: &Value) -> Option<u8> {
+pub fn as_weekdays(value: &PhraseValue) -> Option<u8> {
     match value {
-        Value::Weekdays(days) => Some(*days),
+        PhraseValue::Weekdays(days) => Some(*days),
         _ => None,
     }
 }
 
-fn as_months(value: &Value) -> Option<u16> {
+fn as_months(value: &PhraseValue) -> Option<u16> {
     match value {
-        Value::Months(months) => Some(*months),
+        PhraseValue::Months(months) => Some(*months),
         _ => None,
     }
 }
 
-pub fn as_kind(value: &Value) -> Option<DayKind> {
+pub fn as_kind(value: &PhraseValue) -> Option<DayKind> {
     match value {
-        Value::DayKind(kind) => Some(*kind),
+        PhraseValue::DayKind(kind) => Some(*kind),
         _ => None,
     }
 }
 
-pub fn as_moment(value: &Value) -> Option<(PhaseDay, i32)> {
+pub fn as_moment(value: &PhraseValue) -> Option<(PhaseDay, i32)> {
     match value {
-        Value::Moment(day, length) => Some((*day, *length)),
+        PhraseValue::Moment(day, length) => Some((*day, *length)),
         _ => None,
     }
 }
@@ -199,7 +199,7 @@ fn weekday_range(days: &[f64]) -> u8 {
     (0..=(last + 7 - first) % 7).fold(0, |days, ahead| days | 1 << ((first + ahead) % 7))
 }
 
-fn on_days(a: &mut Arguments, days: u8, part: Option<Vec<PartOfDay>>) -> Option<Value> {
+fn on_days(a: &mut Arguments, days: u8, part: Option<Vec<PartOfDay>>) -> Option<PhraseValue> {
     let part = part.and_then(|part| a.slot(part));
     parts(Parts { weekdays: a.slot(days), part, ..Parts::default() })
 }
@@ -213,16 +213,16 @@ fn whole_days(a: &mut Arguments) -> Option<f64> {
     Some(days.max(1.0).round())
 }
 
-fn date(a: &mut Arguments, year: f64, month: f64, day: f64) -> Value {
+fn date(a: &mut Arguments, year: f64, month: f64, day: f64) -> PhraseValue {
     let moment = calendar::date(year as u32, month as u32, day as u32);
     if moment.is_none() {
         a.fault(a.span, TimeSentenceMessage::NoDate);
     }
-    Value::Moment(moment.unwrap_or(PhaseDay::Day(0)), 1)
+    PhraseValue::Moment(moment.unwrap_or(PhaseDay::Day(0)), 1)
 }
 
 /// "on 25 December", "on 24 to 26 December".
-fn day_of_year(a: &mut Arguments) -> Option<Value> {
+fn day_of_year(a: &mut Arguments) -> Option<PhraseValue> {
     let mut numbers = a.numbers();
     if a.has("month") {
         numbers.reverse();
@@ -241,7 +241,7 @@ fn day_of_year(a: &mut Arguments) -> Option<Value> {
 }
 
 /// "on the first Monday of the month", "on the 3rd of each month": a last one is number 0.
-fn nth_of_month(a: &mut Arguments) -> Option<Value> {
+fn nth_of_month(a: &mut Arguments) -> Option<PhraseValue> {
     let numbers = a.numbers();
     let is_month = a.words.last().is_some_and(|word| !["month"].contains(&word.text.as_str()));
     let has_weekday = numbers.len() > 1 + usize::from(is_month);

@@ -1,12 +1,12 @@
 //! How often: quantifiers, shares of days, times a week, times a day.
 
+use super::arguments::{Arguments, Production, parts};
 use super::days::{as_moment, as_weekdays};
 use super::numbers::as_range;
 use super::times::as_part;
-use super::{Arguments, Production, parts};
 use crate::language::messages::TimeSentenceMessage;
-use crate::language::parts::Parts;
-use crate::language::value::{Chance, Range, Value};
+use crate::language::parts::{Chance, Parts};
+use crate::language::value::{PhraseValue, Range};
 use crate::routine::{HabitChance, PartOfDay};
 use homebody_core::fuzzy::Quantifier;
 
@@ -18,7 +18,7 @@ pub fn named(name: &str) -> Option<Production> {
         "quantifier" => |a| {
             let name = a.constant(0);
             let quantifier = Quantifier::ALL.into_iter().find(|quantifier| format!("{quantifier:?}") == name)?;
-            Some(Value::Chance(Chance { chance: HabitChance::from_quantifier(quantifier), is_rate: false }))
+            Some(PhraseValue::Chance(Chance { chance: HabitChance::from_quantifier(quantifier), is_rate: false }))
         },
         "day_noun" => |a| {
             let part = a.one(as_part).and_then(|part| part.first().copied());
@@ -26,7 +26,7 @@ pub fn named(name: &str) -> Option<Production> {
             if is_day && part.is_some() {
                 return None;
             }
-            Some(Value::DayNoun(a.one(as_weekdays), part))
+            Some(PhraseValue::DayNoun(a.one(as_weekdays), part))
         },
         "often" => |a| {
             const ONE: [&str; 5] = ["day", "night", "morning", "afternoon", "evening"];
@@ -86,7 +86,7 @@ pub fn named(name: &str) -> Option<Production> {
             let hours = a.numbers().last().copied().unwrap_or(1.0);
             let times_a_day = (AWAKE_H / hours.max(1.0)).round().max(1.0);
             a.fault(a.span, TimeSentenceMessage::EveryHours { text: a.said(a.span), times_a_day });
-            Some(Value::Parts(Box::default()))
+            Some(PhraseValue::Parts(Box::default()))
         },
         "about_every" => |a| {
             let days = a.numbers()[0] * a.number_constants()[0];
@@ -111,7 +111,7 @@ pub fn named(name: &str) -> Option<Production> {
         },
         "part_of_each_day" => |a| {
             a.fault(a.span, TimeSentenceMessage::PartOfEachDay { text: a.said(a.span) });
-            Some(Value::Parts(Box::default()))
+            Some(PhraseValue::Parts(Box::default()))
         },
         "becoming" => |a| {
             let both = a.all(as_parts_box);
@@ -136,31 +136,31 @@ pub fn named(name: &str) -> Option<Production> {
         "at_first" => |a| {
             let span = a.words[a.words.len() - 1].span;
             a.fault(span, TimeSentenceMessage::AtFirst);
-            Some(Value::Parts(Box::default()))
+            Some(PhraseValue::Parts(Box::default()))
         },
         "by_when" => |a| {
             let span = a.kids[1].span;
             a.fault(span, TimeSentenceMessage::ByWhen);
-            Some(Value::Parts(Box::default()))
+            Some(PhraseValue::Parts(Box::default()))
         },
         _ => return None,
     })
 }
 
-pub fn as_chance(value: &Value) -> Option<Chance> {
+pub fn as_chance(value: &PhraseValue) -> Option<Chance> {
     match value {
-        Value::Chance(chance) => Some(*chance),
+        PhraseValue::Chance(chance) => Some(*chance),
         _ => None,
     }
 }
 
-fn as_parts_box(value: &Value) -> Option<Parts> {
+fn as_parts_box(value: &PhraseValue) -> Option<Parts> {
     super::times::as_parts(value)
 }
 
-fn as_day_noun(value: &Value) -> Option<(Option<u8>, Option<PartOfDay>)> {
+fn as_day_noun(value: &PhraseValue) -> Option<(Option<u8>, Option<PartOfDay>)> {
     match value {
-        Value::DayNoun(days, part) => Some((*days, *part)),
+        PhraseValue::DayNoun(days, part) => Some((*days, *part)),
         _ => None,
     }
 }
@@ -169,13 +169,13 @@ fn of_probability(probability: f64) -> Chance {
     Chance { chance: HabitChance { quantifier: None, probability, becomes: None, days_a_week: None }, is_rate: false }
 }
 
-fn on_days(a: &mut Arguments, chance: Chance) -> Option<Value> {
+fn on_days(a: &mut Arguments, chance: Chance) -> Option<PhraseValue> {
     let (weekdays, part) = a.one(as_day_noun).unwrap_or_default();
     let (weekdays, part) = (weekdays.and_then(|days| a.slot(days)), part.and_then(|part| a.slot(vec![part])));
     parts(Parts { chance: a.slot(chance), weekdays, part, ..Parts::default() })
 }
 
-fn every(a: &mut Arguments, unit: f64) -> Option<Value> {
+fn every(a: &mut Arguments, unit: f64) -> Option<PhraseValue> {
     let unit = a.number_constants().first().copied().unwrap_or(unit);
     let is_weeks = a.words.last().is_some_and(|word| ["weeks", "week"].contains(&word.text.as_str()));
     let days = a.numbers().first().copied().unwrap_or(1.0) * if is_weeks { 7.0 } else { unit };
@@ -192,7 +192,7 @@ fn every(a: &mut Arguments, unit: f64) -> Option<Value> {
 }
 
 /// "three times a week", "two afternoons a week".
-fn rate(a: &mut Arguments) -> Option<Value> {
+fn rate(a: &mut Arguments) -> Option<PhraseValue> {
     let numbers = [a.numbers(), a.number_constants()].concat();
     let days = *numbers.last()?;
     let range = a.one(as_range).or(match numbers[..] {
@@ -203,7 +203,7 @@ fn rate(a: &mut Arguments) -> Option<Value> {
     rated(a, range, days)
 }
 
-fn rated(a: &mut Arguments, range: Range, days: f64) -> Option<Value> {
+fn rated(a: &mut Arguments, range: Range, days: f64) -> Option<PhraseValue> {
     let probability = (range.from + range.to) / 2.0 / days;
     let (span, text) = (a.kids.first().map_or(a.span, |kid| kid.span), a.said(a.span));
     if probability > 1.0 {
@@ -223,7 +223,7 @@ fn rated(a: &mut Arguments, range: Range, days: f64) -> Option<Value> {
 }
 
 /// "Twice a night", "8 times a day".
-fn count(a: &mut Arguments) -> Option<Value> {
+fn count(a: &mut Arguments) -> Option<PhraseValue> {
     let range = a.one(as_range)?;
     let whole = |value: f64| value.fract() == 0.0 && (1.0..=100.0).contains(&value);
     if !(whole(range.from) && whole(range.to)) {

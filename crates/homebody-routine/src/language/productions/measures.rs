@@ -1,11 +1,11 @@
 //! How something changes: "45 to 90 minutes later", "twice as often", "30 % slower".
 
+use super::arguments::{Arguments, Production, parts};
 use super::numbers::{as_range, duration};
-use super::{Arguments, Production, parts};
 use crate::language::amounts::DAY_S;
 use crate::language::messages::TimeSentenceMessage;
-use crate::language::parts::Parts;
-use crate::language::value::{Measure, Of, Range, Value, Verb};
+use crate::language::parts::{Measure, Of, Parts};
+use crate::language::value::{PhraseValue, Range, Verb};
 use homebody_core::fuzzy::Fuzzy;
 
 /// Factor, or number of heartbeats or breaths a minute, above which a change is a slip of the pen (our choice).
@@ -47,7 +47,7 @@ pub fn named(name: &str) -> Option<Production> {
             let numbers = [a.numbers(), a.number_constants()].concat();
             let of_numbers = || Some(Range { from: *numbers.first()?, to: *numbers.last()?, about: false });
             let range = a.one(as_range).or_else(of_numbers)?;
-            Some(Value::Range(range))
+            Some(PhraseValue::Range(range))
         },
         "times_as" => |a| {
             let (of, range) = (of_name(a.constant(0))?, a.one(as_range)?);
@@ -67,15 +67,15 @@ pub fn named(name: &str) -> Option<Production> {
         "rises" => |a| {
             let (of, range) = (of_name(a.constant(0))?, a.one(as_range)?);
             at_most(a, range.to, MOST_A_MINUTE, "100 a minute");
-            Some(Value::Verb(Verb::Rises(Measure { of, by: signed(range, a.has("less")) })))
+            Some(PhraseValue::Verb(Verb::Rises(Measure { of, by: signed(range, a.has("less")) })))
         },
         _ => return None,
     })
 }
 
-pub fn as_measure(value: &Value) -> Option<Measure> {
+pub fn as_measure(value: &PhraseValue) -> Option<Measure> {
     match value {
-        Value::Measure(measure) => Some(*measure),
+        PhraseValue::Measure(measure) => Some(*measure),
         _ => None,
     }
 }
@@ -97,8 +97,8 @@ fn of_name(name: &str) -> Option<Of> {
     })
 }
 
-fn measure(of: Of, by: Fuzzy) -> Option<Value> {
-    Some(Value::Measure(Measure { of, by }))
+fn measure(of: Of, by: Fuzzy) -> Option<PhraseValue> {
+    Some(PhraseValue::Measure(Measure { of, by }))
 }
 
 fn as_change(range: Range) -> Fuzzy {
@@ -118,7 +118,7 @@ fn at_most(a: &mut Arguments, value: f64, most: f64, in_words: &str) {
 }
 
 /// "Later than usual", "much less often".
-fn unnumbered(a: &mut Arguments) -> Option<Value> {
+fn unnumbered(a: &mut Arguments) -> Option<PhraseValue> {
     let (of, is_more) = (of_name(a.constant(0))?, a.has("more"));
     let far = a.numbers().first().copied().unwrap_or(1.0);
     let (low, high) = if is_more { UNSAID_MORE } else { UNSAID_LESS };

@@ -1,12 +1,12 @@
 //! Rules: "Whenever the stove has been on for 20 minutes, she turns it off."
 
+use super::arguments::{Arguments, Production};
 use super::numbers::{as_range, duration};
 use super::times::{as_event, as_parts, as_time};
-use super::{Arguments, Production};
 use crate::language::amounts::DAY_S;
 use crate::language::messages::{RuleSentenceMessage, TimeSentenceMessage};
-use crate::language::parts::Parts;
-use crate::language::value::{Answer, RuleSaid, Said, Statement, TimeOfDay, Value};
+use crate::language::parts::{Parts, Said, TimeOfDay};
+use crate::language::value::{Answer, PhraseValue, RuleSaid, SpokenStatement};
 use crate::routine::{Activity, Circumstance, Lapse, Response, RuleTrigger};
 use homebody_core::fuzzy::Fuzzy;
 
@@ -24,8 +24,8 @@ pub fn named(name: &str) -> Option<Production> {
         "done_act" => |a| state(RuleTrigger::Done(Activity::from_label(a.constant(0))?)),
         "trigger_dark" => |a| state(RuleTrigger::Dark(a.name())),
         "rings" => |a| state(RuleTrigger::Rings(a.name()?)),
-        "anyone" => |_| Some(Value::Unit),
-        "visitor_name" => |a| Some(Value::Name(a.name().unwrap_or_else(|| a.spoken()))),
+        "anyone" => |_| Some(PhraseValue::Unit),
+        "visitor_name" => |a| Some(PhraseValue::Name(a.name().unwrap_or_else(|| a.spoken()))),
         "company" => |a| state(RuleTrigger::Company(a.name())),
         "trigger_time" => |a| {
             let at = closed(a)?[0];
@@ -42,7 +42,7 @@ pub fn named(name: &str) -> Option<Production> {
                 let span = a.kids[a.kids.len() - 1].span;
                 a.fault(span, RuleSentenceMessage::Always { text: a.said(span) });
             }
-            Some(Value::Trigger(trigger, Some(lasts)))
+            Some(PhraseValue::Trigger(trigger, Some(lasts)))
         },
         "circumstance" => |a| circumstance(a, plain(a.constant(0))?, true),
         "circumstance_not" => |a| circumstance(a, plain(a.constant(0))?, false),
@@ -68,9 +68,9 @@ pub fn named(name: &str) -> Option<Production> {
             let negated = a.has("not");
             let all = a.all(as_circumstances).concat();
             let turned = all.into_iter().map(|one| Circumstance { holds: one.holds != negated, ..one });
-            Some(Value::Circumstances(turned.collect()))
+            Some(PhraseValue::Circumstances(turned.collect()))
         },
-        "it" => |_| Some(Value::Name(String::new())),
+        "it" => |_| Some(PhraseValue::Name(String::new())),
         "turn" => |a| response(Response::Turn { thing: a.name()?, on: a.has("on") }),
         "turn_word" => |a| {
             let on = a.words[1].text == "on";
@@ -92,9 +92,9 @@ pub fn named(name: &str) -> Option<Production> {
             };
             let mut answer = a.one(as_answers)?.pop()?;
             answer.parts = parts;
-            Some(Value::Answers(vec![Answer { span: a.span, ..answer }]))
+            Some(PhraseValue::Answers(vec![Answer { span: a.span, ..answer }]))
         },
-        "answers" => |a| Some(Value::Answers(a.all(as_answers).concat())),
+        "answers" => |a| Some(PhraseValue::Answers(a.all(as_answers).concat())),
         "lapse" => |a| {
             let chances = a.all(as_parts);
             let chance =
@@ -103,7 +103,7 @@ pub fn named(name: &str) -> Option<Production> {
                 return None;
             }
             let later = a.one(as_range).map(duration);
-            Some(Value::Lapse(Lapse { probability: chance.unwrap_or(FORGETS), later }))
+            Some(PhraseValue::Lapse(Lapse { probability: chance.unwrap_or(FORGETS), later }))
         },
         "rule" => rule,
         _ => return None,
@@ -121,16 +121,16 @@ fn plain(name: &str) -> Option<RuleTrigger> {
     })
 }
 
-fn state(trigger: RuleTrigger) -> Option<Value> {
-    Some(Value::Trigger(trigger, None))
+fn state(trigger: RuleTrigger) -> Option<PhraseValue> {
+    Some(PhraseValue::Trigger(trigger, None))
 }
 
-fn circumstance(_: &Arguments, state: RuleTrigger, holds: bool) -> Option<Value> {
-    Some(Value::Circumstances(vec![Circumstance { holds, state }]))
+fn circumstance(_: &Arguments, state: RuleTrigger, holds: bool) -> Option<PhraseValue> {
+    Some(PhraseValue::Circumstances(vec![Circumstance { holds, state }]))
 }
 
-fn response(response: Response) -> Option<Value> {
-    Some(Value::Answers(vec![Answer {
+fn response(response: Response) -> Option<PhraseValue> {
+    Some(PhraseValue::Answers(vec![Answer {
         response,
         parts: Parts::default(),
         span: crate::language::words::TextSpan::default(),
@@ -148,28 +148,28 @@ fn closed(a: &mut Arguments) -> Option<Vec<f64>> {
     Some(times.iter().map(|time| time.clock.s.rem_euclid(DAY_S)).collect())
 }
 
-fn as_trigger(value: &Value) -> Option<(RuleTrigger, Option<Fuzzy>)> {
+fn as_trigger(value: &PhraseValue) -> Option<(RuleTrigger, Option<Fuzzy>)> {
     match value {
-        Value::Trigger(trigger, lasts) => Some((trigger.clone(), *lasts)),
+        PhraseValue::Trigger(trigger, lasts) => Some((trigger.clone(), *lasts)),
         _ => None,
     }
 }
 
-fn as_circumstances(value: &Value) -> Option<Vec<Circumstance>> {
+fn as_circumstances(value: &PhraseValue) -> Option<Vec<Circumstance>> {
     match value {
-        Value::Circumstances(all) => Some(all.clone()),
+        PhraseValue::Circumstances(all) => Some(all.clone()),
         _ => None,
     }
 }
 
-fn as_answers(value: &Value) -> Option<Vec<Answer>> {
+fn as_answers(value: &PhraseValue) -> Option<Vec<Answer>> {
     match value {
-        Value::Answers(answers) => Some(answers.clone()),
+        PhraseValue::Answers(answers) => Some(answers.clone()),
         _ => None,
     }
 }
 
-fn rule(a: &mut Arguments) -> Option<Value> {
+fn rule(a: &mut Arguments) -> Option<PhraseValue> {
     let at = a.kids.iter().position(|kid| as_trigger(&kid.value).is_some())?;
     let (trigger, lasts) = as_trigger(&a.kids[at].value)?;
     let trigger_span = a.kids[at].span;
@@ -185,10 +185,10 @@ fn rule(a: &mut Arguments) -> Option<Value> {
         return None;
     }
     let lapse = a.one(|value| match value {
-        Value::Lapse(lapse) => Some(*lapse),
+        PhraseValue::Lapse(lapse) => Some(*lapse),
         _ => None,
     });
     let only_if = a.all(as_circumstances).concat();
     let said = RuleSaid { trigger, trigger_span, lasts, only_if, answers, lapse };
-    Some(Value::Statement(Box::new(Statement::Rule(front, said))))
+    Some(PhraseValue::Statement(Box::new(SpokenStatement::Rule(front, said))))
 }

@@ -1,12 +1,12 @@
 //! Times of the day, lengths, and what comes before or after what.
 
+use super::arguments::{Arguments, Production, parts};
 use super::numbers::{as_range, duration};
-use super::{Arguments, Production, parts};
 use crate::language::amounts::DAY_S;
 use crate::language::messages::TimeSentenceMessage;
-use crate::language::parts::Parts;
+use crate::language::parts::{ClockTime, Parts, Said, TimeOfDay};
 use crate::language::times::{ABOUT_TIME_S, HOUR_S, PLAIN_TIME_S, is_of_next_day};
-use crate::language::value::{Clock, Said, TimeOfDay, Value};
+use crate::language::value::PhraseValue;
 use crate::language::words::TextSpan;
 use crate::routine::{Activity, Meal, PartOfDay};
 use homebody_core::fuzzy::Fuzzy;
@@ -31,14 +31,14 @@ pub fn named(name: &str) -> Option<Production> {
         "digits" => digits,
         "no_time" => |a| {
             no_time(a);
-            Some(Value::Time(TimeOfDay { clock: slip(a), spread_s: 0.0 }))
+            Some(PhraseValue::Time(TimeOfDay { clock: slip(a), spread_s: 0.0 }))
         },
         "odd_time" => |a| {
             let text = &a.words[0].text;
             let is_dotted = text.contains('.') && dotted(text).is_none();
             (is_dotted || matches!(text.len(), 3 | 4) && !text.contains('.') && meant(text).is_some()).then_some(())?;
             no_time(a);
-            Some(Value::Time(TimeOfDay { clock: slip(a), spread_s: 0.0 }))
+            Some(PhraseValue::Time(TimeOfDay { clock: slip(a), spread_s: 0.0 }))
         },
         "dotted" => |a| dotted(&a.words[0].text).map(|s| clock(a, s, false)),
         "four_digits" => four_digits,
@@ -56,11 +56,11 @@ pub fn named(name: &str) -> Option<Production> {
         },
         "half" => half,
         "time" => |a| {
-            let clock = Clock { span: a.kids.last()?.span, ..a.one(as_clock)? };
+            let clock = ClockTime { span: a.kids.last()?.span, ..a.one(as_clock)? };
             let spread_s = if a.has("about") { ABOUT_TIME_S } else { PLAIN_TIME_S };
             match a.one(as_time) {
-                Some(time) => Some(Value::Time(TimeOfDay { spread_s: ABOUT_TIME_S, ..time })),
-                None => Some(Value::Time(TimeOfDay { clock, spread_s })),
+                Some(time) => Some(PhraseValue::Time(TimeOfDay { spread_s: ABOUT_TIME_S, ..time })),
+                None => Some(PhraseValue::Time(TimeOfDay { clock, spread_s })),
             }
         },
         "spread" => |a| {
@@ -68,10 +68,10 @@ pub fn named(name: &str) -> Option<Production> {
             if spread_s > HALF_DAY_S {
                 a.fault(a.span, TimeSentenceMessage::SpreadOfTime);
             }
-            Some(Value::Time(TimeOfDay { spread_s, ..time }))
+            Some(PhraseValue::Time(TimeOfDay { spread_s, ..time }))
         },
-        "part" => |a| Some(Value::PartOfDay(vec![part_named(a.constant(0))?])),
-        "parts_of_day" => |a| Some(Value::PartOfDay(a.all(as_part).concat())),
+        "part" => |a| Some(PhraseValue::PartOfDay(vec![part_named(a.constant(0))?])),
+        "parts_of_day" => |a| Some(PhraseValue::PartOfDay(a.all(as_part).concat())),
         "at" => |a| {
             // "At noon" is a part of the day.
             let is_part = ["noon", "midday"].contains(&a.spoken().trim_start_matches("at "));
@@ -142,19 +142,19 @@ pub fn named(name: &str) -> Option<Production> {
             a.one(as_event)?;
             let activity = a.kids.last().map(|kid| a.said(kid.span)).unwrap_or_default();
             a.fault(a.span, TimeSentenceMessage::UntilActivity { text: a.said(a.span), activity });
-            Some(Value::Parts(Box::default()))
+            Some(PhraseValue::Parts(Box::default()))
         },
         "no_end" => |a| {
             a.one(as_time)?;
             let time = a.kids.last().map(|kid| a.said(kid.span)).unwrap_or_default();
             a.fault(a.span, TimeSentenceMessage::NoEnd { text: a.said(a.span), time });
-            Some(Value::Parts(Box::default()))
+            Some(PhraseValue::Parts(Box::default()))
         },
         "open_time" => |a| {
             let help =
                 "write \"after breakfast\", \"before she goes to bed\", or \"between 20:00 and 22:00\"".to_owned();
             a.fault(a.span, TimeSentenceMessage::OpenTime { text: a.said(a.span), help });
-            Some(Value::Parts(Box::default()))
+            Some(PhraseValue::Parts(Box::default()))
         },
         "lasts" => |a| lasts(a, None),
         "lasts_about" => |a| lasts(a, Some(a.numbers()[0])),
@@ -162,7 +162,7 @@ pub fn named(name: &str) -> Option<Production> {
             let text = a.said(a.span).split_whitespace().skip(1).collect::<Vec<_>>().join(" ");
             let span = TextSpan { start: a.words[1].span.start, ..a.span };
             a.fault(span, TimeSentenceMessage::NotALength { text });
-            Some(Value::Parts(Box::default()))
+            Some(PhraseValue::Parts(Box::default()))
         },
         "after" => |a| order(a, Said::After),
         "before" => |a| order(a, Said::Before),
@@ -183,31 +183,31 @@ pub fn named(name: &str) -> Option<Production> {
     })
 }
 
-pub fn as_clock(value: &Value) -> Option<Clock> {
+pub fn as_clock(value: &PhraseValue) -> Option<ClockTime> {
     match value {
-        Value::Clock(clock) => Some(*clock),
-        Value::Time(time) => Some(time.clock),
+        PhraseValue::Clock(clock) => Some(*clock),
+        PhraseValue::Time(time) => Some(time.clock),
         _ => None,
     }
 }
 
-pub fn as_time(value: &Value) -> Option<TimeOfDay> {
+pub fn as_time(value: &PhraseValue) -> Option<TimeOfDay> {
     match value {
-        Value::Time(time) => Some(*time),
+        PhraseValue::Time(time) => Some(*time),
         _ => None,
     }
 }
 
-pub fn as_part(value: &Value) -> Option<Vec<PartOfDay>> {
+pub fn as_part(value: &PhraseValue) -> Option<Vec<PartOfDay>> {
     match value {
-        Value::PartOfDay(part) => Some(part.clone()),
+        PhraseValue::PartOfDay(part) => Some(part.clone()),
         _ => None,
     }
 }
 
-pub fn as_event(value: &Value) -> Option<Activity> {
+pub fn as_event(value: &PhraseValue) -> Option<Activity> {
     match value {
-        Value::Act(act) => Some(act.activity.clone()),
+        PhraseValue::Act(act) => Some(act.activity.clone()),
         _ => None,
     }
 }
@@ -216,12 +216,12 @@ pub fn part_named(name: &str) -> Option<PartOfDay> {
     PARTS.into_iter().find(|part| part.word().eq_ignore_ascii_case(name))
 }
 
-fn clock(a: &Arguments, s: f64, open: bool) -> Value {
-    Value::Clock(Clock { s, open, half: false, span: a.span })
+fn clock(a: &Arguments, s: f64, open: bool) -> PhraseValue {
+    PhraseValue::Clock(ClockTime { s, open, half: false, span: a.span })
 }
 
 /// "7:30": a clock of 24 hours.
-fn digits(a: &mut Arguments) -> Option<Value> {
+fn digits(a: &mut Arguments) -> Option<PhraseValue> {
     let range = a.one(as_range)?;
     let is_time = range.to < 60.0 && (range.from < 24.0 || range.from == 24.0 && range.to == 0.0);
     if !is_time {
@@ -239,12 +239,12 @@ fn dotted(text: &str) -> Option<f64> {
 }
 
 /// The time that was probably meant by a slip, so that the rest of the sentence is read.
-fn slip(a: &Arguments) -> Clock {
+fn slip(a: &Arguments) -> ClockTime {
     let (hours, minutes) = meant(&a.said(a.span)).unwrap_or((12, 0));
-    Clock { s: f64::from(hours) * HOUR_S + f64::from(minutes) * 60.0, open: false, half: true, span: a.span }
+    ClockTime { s: f64::from(hours) * HOUR_S + f64::from(minutes) * 60.0, open: false, half: true, span: a.span }
 }
 
-fn four_digits(a: &mut Arguments) -> Option<Value> {
+fn four_digits(a: &mut Arguments) -> Option<PhraseValue> {
     let text = &a.words[0].text;
     if text.len() != 4
         || !(text.starts_with('0') || a.words.len() == 2)
@@ -256,7 +256,7 @@ fn four_digits(a: &mut Arguments) -> Option<Value> {
     (hours < 24.0 && minutes < 60.0).then(|| clock(a, hours * HOUR_S + minutes * 60.0, false))
 }
 
-fn past(a: &mut Arguments, sign: f64) -> Option<Value> {
+fn past(a: &mut Arguments, sign: f64) -> Option<PhraseValue> {
     let minutes = a.numbers().first().copied().or(a.number_constants().first().copied())? * sign;
     let hour = a.one(as_clock)?;
     if minutes.fract() != 0.0 || !(1.0..60.0).contains(&minutes.abs()) {
@@ -271,7 +271,7 @@ fn past(a: &mut Arguments, sign: f64) -> Option<Value> {
 }
 
 /// "7 pm", "half past seven in the morning", "3 at night".
-fn half(a: &mut Arguments) -> Option<Value> {
+fn half(a: &mut Arguments) -> Option<PhraseValue> {
     let number =
         a.numbers().first().map(|&hour| (hour.fract() == 0.0 && (1.0..=12.0).contains(&hour), (hour % 12.0) * HOUR_S));
     let clock = a
@@ -299,15 +299,15 @@ fn half(a: &mut Arguments) -> Option<Value> {
         match closed {
             // Midnight "at night" is that of the evening before.
             Some(closed) if a.constant(0) == "night" && closed.s < HOUR_S => {
-                return Some(Value::Clock(Clock { s: closed.s + DAY_S, half: true, span: a.span, ..closed }));
+                return Some(PhraseValue::Clock(ClockTime { s: closed.s + DAY_S, half: true, span: a.span, ..closed }));
             }
-            Some(closed) => return Some(Value::Clock(Clock { half: true, span: a.span, ..closed })),
+            Some(closed) => return Some(PhraseValue::Clock(ClockTime { half: true, span: a.span, ..closed })),
             None => no_time(a),
         }
     }
     let after_midnight = a.constant(0) == "night" && !late;
     let s = s + if late { HALF_DAY_S } else { 0.0 } + if after_midnight { DAY_S } else { 0.0 };
-    Some(Value::Clock(Clock { s, open: false, half: true, span: a.span }))
+    Some(PhraseValue::Clock(ClockTime { s, open: false, half: true, span: a.span }))
 }
 
 fn no_time(a: &mut Arguments) {
@@ -346,12 +346,12 @@ pub fn meant(text: &str) -> Option<(u8, u8)> {
     (hours < 24 && minutes < 60).then_some((hours, minutes))
 }
 
-fn when(a: &mut Arguments, make: impl Fn(&[TimeOfDay]) -> Option<Said>) -> Option<Value> {
+fn when(a: &mut Arguments, make: impl Fn(&[TimeOfDay]) -> Option<Said>) -> Option<PhraseValue> {
     let when = make(&a.all(as_time))?;
     parts(Parts { when: a.slot(vec![when]), ..Parts::default() })
 }
 
-fn list_of_times(a: &mut Arguments) -> Option<Value> {
+fn list_of_times(a: &mut Arguments) -> Option<PhraseValue> {
     let mut list = Vec::new();
     for one in a.all(as_parts) {
         list.extend(one.part.iter().flat_map(|slot| slot.value.iter().map(|part| Said::Within(*part))));
@@ -373,9 +373,9 @@ fn list_of_times(a: &mut Arguments) -> Option<Value> {
     }
 }
 
-pub fn as_parts(value: &Value) -> Option<Parts> {
+pub fn as_parts(value: &PhraseValue) -> Option<Parts> {
     match value {
-        Value::Parts(parts) => Some(Parts::clone(parts)),
+        PhraseValue::Parts(parts) => Some(Parts::clone(parts)),
         _ => None,
     }
 }
@@ -393,9 +393,9 @@ fn range(a: &mut Arguments, from: TimeOfDay, to: TimeOfDay) -> Option<Said> {
         }
         let late = last.s.rem_euclid(DAY_S) >= HALF_DAY_S;
         let is_before = first.s < last.s.rem_euclid(HALF_DAY_S);
-        first = Clock { s: first.s + if late == is_before { HALF_DAY_S } else { 0.0 }, open: false, ..first };
+        first = ClockTime { s: first.s + if late == is_before { HALF_DAY_S } else { 0.0 }, open: false, ..first };
     } else if !first.open && last.open {
-        last = Clock { s: next_after(first.s, last.s), open: false, ..last };
+        last = ClockTime { s: next_after(first.s, last.s), open: false, ..last };
     }
     if !first.open && !last.open {
         if is_of_next_day(last.s, first.s) {
@@ -412,13 +412,13 @@ pub fn next_after(begin: f64, open: f64) -> f64 {
     begin + (open - begin).rem_euclid(HALF_DAY_S)
 }
 
-fn from_to(a: &mut Arguments) -> Option<Value> {
+fn from_to(a: &mut Arguments) -> Option<PhraseValue> {
     let times = a.all(as_time);
     let Said::Between(from, to) = range(a, times[0], times[1])? else { return None };
     parts(Parts { when: a.slot(vec![Said::FromTo(from, to)]), ..Parts::default() })
 }
 
-fn lasts(a: &mut Arguments, spread_s: Option<f64>) -> Option<Value> {
+fn lasts(a: &mut Arguments, spread_s: Option<f64>) -> Option<PhraseValue> {
     let (range, span) = (a.one(as_range)?, a.kids[0].span);
     let is_bare = a.words.first().is_some_and(|word| word.span.start == span.start);
     if is_bare && range.to > DAY_S {
@@ -440,7 +440,7 @@ fn lasts(a: &mut Arguments, spread_s: Option<f64>) -> Option<Value> {
     parts(Parts { lasts: a.slot(lasts), ..Parts::default() })
 }
 
-fn order(a: &mut Arguments, make: impl Fn(Activity, Option<Fuzzy>) -> Said) -> Option<Value> {
+fn order(a: &mut Arguments, make: impl Fn(Activity, Option<Fuzzy>) -> Said) -> Option<PhraseValue> {
     let event = a.one(as_event)?;
     let gap = a.one(as_range);
     if gap.is_some_and(|gap| gap.to > DAY_S) {

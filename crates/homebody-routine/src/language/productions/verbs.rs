@@ -1,14 +1,14 @@
 //! Who does what.
 
+use super::arguments::{Arguments, Production, parts};
 use super::days::as_kind;
 use super::numbers::{as_range, duration};
 use super::times::{as_part, as_parts};
-use super::{Arguments, Production, parts};
 use crate::language::amounts::ABOUT_PACE_SHARE;
 use crate::language::messages::TimeSentenceMessage;
 use crate::language::parts::Parts;
 use crate::language::productions::measures::FASTEST_MPS;
-use crate::language::value::{Act, Range, Subject, Value, Verb};
+use crate::language::value::{Act, PhraseValue, Range, SentenceSubject, Verb};
 use crate::language::words::TextSpan;
 use crate::routine::{Activity, DayKind, FallEnds, Falling, FallsFrom, Meal, ResidentKind, Shy};
 use homebody_core::activity::Help;
@@ -16,39 +16,39 @@ use homebody_core::fuzzy::Fuzzy;
 
 pub fn named(name: &str) -> Option<Production> {
     Some(match name {
-        "said" => |a| Some(Value::Name(name_of(a))),
-        "person" => |_| Some(Value::Subject(Subject::Person)),
+        "said" => |a| Some(PhraseValue::Name(name_of(a))),
+        "person" => |_| Some(PhraseValue::Subject(SentenceSubject::Person)),
         "visitor" => |a| {
             let name = a.name().unwrap_or_else(|| name_of(a));
-            Some(Value::Subject(Subject::Visitor(name)))
+            Some(PhraseValue::Subject(SentenceSubject::Visitor(name)))
         },
-        "visitor_count" => |a| Some(Value::Subject(Subject::Visitor(a.spoken()))),
-        "stranger" => |a| Some(Value::Subject(Subject::Stranger(a.name()?))),
+        "visitor_count" => |a| Some(PhraseValue::Subject(SentenceSubject::Visitor(a.spoken()))),
+        "stranger" => |a| Some(PhraseValue::Subject(SentenceSubject::Stranger(a.name()?))),
         "subject" => |a| {
-            Some(Value::Subject(match a.constant(0) {
-                "Pulse" => Subject::Pulse,
-                "Breathing" => Subject::Breathing,
-                _ => Subject::Hours,
+            Some(PhraseValue::Subject(match a.constant(0) {
+                "Pulse" => SentenceSubject::Pulse,
+                "Breathing" => SentenceSubject::Breathing,
+                _ => SentenceSubject::Hours,
             }))
         },
         "adjective" => |a| {
             let seconds = *a.numbers().first()?;
-            Some(Value::Range(Range { from: seconds, to: seconds, about: false }))
+            Some(PhraseValue::Range(Range { from: seconds, to: seconds, about: false }))
         },
         "adjective_range" => |a| {
             let numbers = a.numbers();
             let unit = *numbers.last()?;
-            Some(Value::Range(Range { from: numbers[0] * unit, to: numbers[1] * unit, about: false }))
+            Some(PhraseValue::Range(Range { from: numbers[0] * unit, to: numbers[1] * unit, about: false }))
         },
         "condition" => |a| {
             let severity = a.number_constants()[0];
-            Some(Value::Verb(Verb::Shows(a.name()?, severity)))
+            Some(PhraseValue::Verb(Verb::Shows(a.name()?, severity)))
         },
-        "condition_times" => |a| Some(Value::Verb(Verb::Shows(a.name()?, a.numbers()[0]))),
-        "stops" => |a| Some(Value::Verb(Verb::Stops(a.numbers()[0]))),
-        "shows" => |a| a.one(as_verb).map(Value::Verb),
+        "condition_times" => |a| Some(PhraseValue::Verb(Verb::Shows(a.name()?, a.numbers()[0]))),
+        "stops" => |a| Some(PhraseValue::Verb(Verb::Stops(a.numbers()[0]))),
+        "shows" => |a| a.one(as_verb).map(PhraseValue::Verb),
         "verb" => |a| {
-            Some(Value::Verb(match a.constant(0) {
+            Some(PhraseValue::Verb(match a.constant(0) {
                 "Walks" => Verb::Walks,
                 "Is" => Verb::Is,
                 "Sleeps" => Verb::Sleeps,
@@ -59,34 +59,35 @@ pub fn named(name: &str) -> Option<Production> {
                 _ => Verb::Visits,
             }))
         },
-        "first_verb" => |a| a.all(as_verb).pop().map(Value::Verb),
-        "does" => |a| Some(Value::Verb(Verb::Does(a.act()?))),
+        "first_verb" => |a| a.all(as_verb).pop().map(PhraseValue::Verb),
+        "does" => |a| Some(PhraseValue::Verb(Verb::Does(a.act()?))),
         "act" => |a| {
             let activity = Activity::from_label(a.constant(0))?;
-            Some(Value::Verb(Verb::Does(act_of(activity, a.span))))
+            Some(PhraseValue::Verb(Verb::Does(act_of(activity, a.span))))
         },
-        "eats" => |_| Some(Value::Verb(Verb::Eats)),
+        "eats" => |_| Some(PhraseValue::Verb(Verb::Eats)),
         "not_out" => |a| {
             let act = act_of(Activity::Leave, TextSpan { end: a.span.start, ..a.span });
-            Some(Value::Verb(Verb::Not(act)))
+            Some(PhraseValue::Verb(Verb::Not(act)))
         },
-        "not" => |a| Some(Value::Verb(Verb::Not(a.act()?))),
-        "skips" => |a| Some(Value::Verb(Verb::Skips(a.act()?))),
+        "not" => |a| Some(PhraseValue::Verb(Verb::Not(a.act()?))),
+        "skips" => |a| Some(PhraseValue::Verb(Verb::Skips(a.act()?))),
         "forgets_activity" => |a| {
             let act = a.act()?;
-            matches!(act.activity, Activity::TakeMedicine | Activity::Eat(_)).then_some(Value::Verb(Verb::Skips(act)))
+            matches!(act.activity, Activity::TakeMedicine | Activity::Eat(_))
+                .then_some(PhraseValue::Verb(Verb::Skips(act)))
         },
-        "forgets" => |a| Some(Value::Verb(Verb::Forgets(a.name()?))),
+        "forgets" => |a| Some(PhraseValue::Verb(Verb::Forgets(a.name()?))),
         "age" => |a| {
             let age = a.numbers()[0];
             if age <= 0.0 || age > 130.0 {
                 let span = TextSpan { start: a.kids[0].span.start, ..a.span };
                 a.fault(span, TimeSentenceMessage::Age { text: a.said(span) });
             }
-            Some(Value::Verb(Verb::Age(age)))
+            Some(PhraseValue::Verb(Verb::Age(age)))
         },
         "a_kind" => |a| {
-            Some(Value::Verb(Verb::Kind(match a.constant(0) {
+            Some(PhraseValue::Verb(Verb::Kind(match a.constant(0) {
                 "Cat" => ResidentKind::Cat,
                 "Dog" => ResidentKind::Dog,
                 _ => ResidentKind::Person,
@@ -100,40 +101,43 @@ pub fn named(name: &str) -> Option<Production> {
             }
             let share = if range.about { ABOUT_PACE_SHARE } else { 0.0 };
             let (low, high) = (range.from * (1.0 - share), range.to * (1.0 + share));
-            Some(Value::Verb(Verb::Pace(Fuzzy { low, from: range.from, to: range.to, high })))
+            Some(PhraseValue::Verb(Verb::Pace(Fuzzy { low, from: range.from, to: range.to, high })))
         },
-        "stays" => |a| Some(Value::Verb(Verb::Stays(if a.has("GetUp") { Activity::GetUp } else { Activity::GoToBed }))),
+        "stays" => {
+            |a| Some(PhraseValue::Verb(Verb::Stays(if a.has("GetUp") { Activity::GetUp } else { Activity::GoToBed })))
+        }
         "lively" => |a| {
             let very = a.words.iter().any(|word| word.text == "very") || a.has("very");
-            Some(Value::Verb(Verb::Lively(a.one(as_kind).unwrap_or(DayKind::Quiet), very)))
+            Some(PhraseValue::Verb(Verb::Lively(a.one(as_kind).unwrap_or(DayKind::Quiet), very)))
         },
-        "differ_much" => |_| Some(Value::Verb(Verb::Differ)),
+        "differ_much" => |_| Some(PhraseValue::Verb(Verb::Differ)),
         "shy" => |a| {
-            Some(Value::Verb(Verb::Shy(match a.constant(0) {
+            Some(PhraseValue::Verb(Verb::Shy(match a.constant(0) {
                 "OpenFloor" => Shy::OpenFloor,
                 "People" => Shy::People,
                 _ => Shy::GoingOn,
             })))
         },
-        "stumbles" => |a| Some(Value::Verb(Verb::Does(act_of(Activity::Stumble, a.span)))),
+        "stumbles" => |a| Some(PhraseValue::Verb(Verb::Does(act_of(Activity::Stumble, a.span)))),
         "falls" => |a| {
             let from = a.one(as_parts).and_then(|parts| parts.fall_from).map(|slot| slot.value).unwrap_or_default();
-            Some(Value::Verb(Verb::Falls(Falling { from, slowly: a.has("slowly"), ..Falling::default() })))
+            Some(PhraseValue::Verb(Verb::Falls(Falling { from, slowly: a.has("slowly"), ..Falling::default() })))
         },
-        "own_words" => |a| Some(Value::Name(a.spoken())),
-        "own" => |a| Some(Value::Verb(Verb::Own(a.name()?))),
-        "goes" => |_| Some(Value::Verb(Verb::Goes)),
+        "own_words" => |a| Some(PhraseValue::Name(a.spoken())),
+        "own" => |a| Some(PhraseValue::Verb(Verb::Own(a.name()?))),
+        "goes" => |_| Some(PhraseValue::Verb(Verb::Goes)),
         "speed_spread" => |a| {
             let mut numbers = a.numbers();
             let spread = numbers.pop()?;
             let (from, to) = (*numbers.first()?, *numbers.last()?);
             let pace = Fuzzy { low: from - spread, from, to, high: to + spread };
-            Some(Value::Verb(Verb::Pace(pace))).filter(|_| (0.05..=FASTEST_MPS).contains(&from) && to <= FASTEST_MPS)
+            Some(PhraseValue::Verb(Verb::Pace(pace)))
+                .filter(|_| (0.05..=FASTEST_MPS).contains(&from) && to <= FASTEST_MPS)
         },
-        "visited_by" => |a| Some(Value::Verb(Verb::VisitedBy(a.name()?))),
+        "visited_by" => |a| Some(PhraseValue::Verb(Verb::VisitedBy(a.name()?))),
         "visitor_does" => |a| {
             let act = a.act()?;
-            Some(Value::Verb(match &act.activity {
+            Some(PhraseValue::Verb(match &act.activity {
                 Activity::Phone => Verb::Does(act),
                 Activity::Leave | Activity::ComeHome | Activity::GetUp | Activity::GoToBed => return None,
                 activity => {
@@ -142,16 +146,16 @@ pub fn named(name: &str) -> Option<Production> {
                 }
             }))
         },
-        "helps" => |a| Some(Value::Verb(Verb::Helps(a.act()?, Help::Together))),
+        "helps" => |a| Some(PhraseValue::Verb(Verb::Helps(a.act()?, Help::Together))),
         "helps_act" => |a| {
             let activity = Activity::from_label(a.constant(0))?;
-            Some(Value::Verb(Verb::Helps(act_of(activity, a.span), Help::Together)))
+            Some(PhraseValue::Verb(Verb::Helps(act_of(activity, a.span), Help::Together)))
         },
         "meal" => |a| {
             let meal = Meal::ALL.into_iter().find(|meal| format!("{meal:?}") == a.constant(0))?;
-            Some(Value::Act(act_of(Activity::Prepare(meal), a.span)))
+            Some(PhraseValue::Act(act_of(Activity::Prepare(meal), a.span)))
         },
-        "brings" => |a| Some(Value::Verb(Verb::Helps(a.act()?, Help::Instead))),
+        "brings" => |a| Some(PhraseValue::Verb(Verb::Helps(a.act()?, Help::Instead))),
         "place" => |a| {
             let name = a.name()?;
             parts(Parts { place: a.slot(name), ..Parts::default() })
@@ -188,15 +192,15 @@ pub fn named(name: &str) -> Option<Production> {
                 Activity::from_label(a.constant(0)).unwrap_or_else(|| Activity::Other(a.constant(0).to_owned()));
             let lasts = a.one(as_range).map(duration);
             let is_place = a.has("place");
-            Some(Value::Act(Act { activity, place: a.name().filter(|_| is_place), lasts, span: a.span }))
+            Some(PhraseValue::Act(Act { activity, place: a.name().filter(|_| is_place), lasts, span: a.span }))
         },
         _ => return None,
     })
 }
 
-pub fn as_verb(value: &Value) -> Option<Verb> {
+pub fn as_verb(value: &PhraseValue) -> Option<Verb> {
     match value {
-        Value::Verb(verb) => Some(verb.clone()),
+        PhraseValue::Verb(verb) => Some(verb.clone()),
         _ => None,
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Their JSON has a kind, the fields of that kind, and `when`: the days, the time, the length and the frequency.
 
-use crate::canonical;
+use super::canonical;
 use crate::routine::{Activity, Effect, Habit, Quote, Routine, RoutineChange, RoutinePerson, RoutineRule};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;

@@ -1,9 +1,9 @@
 //! The one sentence that says each statement of a routine in full: the language reads it back as the same statement.
 
-use crate::language::LAST_WEEK;
-use crate::language::activities::phrase;
-use crate::language::amounts::{ABOUT_SHARE, DAY_S, PLAIN_SHARE};
-use crate::language::times::{ABOUT_TIME_S, PLAIN_TIME_S};
+use super::activities::phrase;
+use super::amounts::{ABOUT_SHARE, DAY_S, PLAIN_SHARE};
+use super::calendar::LAST_WEEK;
+use super::times::{ABOUT_TIME_S, PLAIN_TIME_S};
 use crate::routine::{
     Activity, Circumstance, DaySelection, Effect, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
     PartOfDay, Phase, PhaseDay, ResidentKind, Response, RoutineChange, RoutinePerson, RoutineRule, RuleTrigger, Shy,
