@@ -62,6 +62,7 @@ export const KNOWN: ReadonlyMap<string, keyof typeof KINDS> = new Map([
   ['caring_for_pet', 'other'],
   ['caring_for_plants', 'housework'],
   ['baking', 'food'],
+  ['smoking', 'leisure'],
   ['gardening', 'out'],
   ['resting_in_bed', 'sleep'],
   ['grooming', 'care'],

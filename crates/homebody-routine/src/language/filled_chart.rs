@@ -18,7 +18,7 @@ pub fn is_read(names: &HomeNames, context: Context, text: &str) -> bool {
     let tokens = Tokens::new(&words);
     let span = span_of(&tokens.words);
     let mut chart = filled_chart(names, text, &tokens, false, MOST_STEPS);
-    chart.readings("SpokenStatement").iter().any(|item| match item.value.as_ref() {
+    chart.readings("Statement").iter().any(|item| match item.value.as_ref() {
         PhraseValue::Statement(statement) if item.faults.is_none() => {
             build(Context { text, ..context }, statement, span).faults.is_empty()
         }

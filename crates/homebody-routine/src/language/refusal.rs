@@ -142,7 +142,7 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
         return vec![(span, WordMessage::NotUnderstood { text: said(text, span), help: Some(help.into()) }.into())];
     }
     let subject = chart
-        .phrases("SentenceSubject")
+        .phrases("Subject")
         .filter(|item| item.skipped == 0)
         .map(|item| (item.start as usize, item.end as usize))
         .min();

@@ -65,7 +65,7 @@ fn with_steps(
 
 fn best(names: &HomeNames, context: Context, tokens: &Tokens, chart: &mut Chart, is_indented: bool) -> Reading {
     let span = span_of(&tokens.words);
-    let found = chart.readings("SpokenStatement");
+    let found = chart.readings("Statement");
     let mut best: Vec<(usize, u32, Arc<Phrase>, Built)> = Vec::new();
     for item in found {
         let PhraseValue::Statement(statement) = item.value.as_ref() else { continue };
