@@ -332,7 +332,8 @@ impl DayKind {
 }
 
 fn short_days(days: &DaySelection, chance: &HabitChance) -> String {
-    let short = |names: String| names.split(", ").map(|name| &name[..3]).collect::<Vec<_>>().join(" ");
+    let short =
+        |names: String| names.split(", ").map(|name| name.get(..3).unwrap_or(name)).collect::<Vec<_>>().join(" ");
     let every = if days.every > 1 { format!("every {} days", days.every) } else { String::new() };
     let of_month = match days.of_month {
         LAST_WEEK => "last week".to_owned(),

@@ -195,7 +195,7 @@ impl TextReader<'_> {
         };
         let reading = read(&self.names, context, &sentence.words, sentence.indented, &mut self.budget);
         match reading {
-            Reading::Heading(parts) => self.heading = Some(Heading { parts, span, is_used: false }),
+            Reading::Heading(parts) => self.heading = Some(Heading { parts: *parts, span, is_used: false }),
             Reading::Meaning(built) => self.add(*built),
             Reading::Refused(faults) => {
                 faults.into_iter().for_each(|(span, message)| self.faults.add(span, message));

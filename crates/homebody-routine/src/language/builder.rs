@@ -95,6 +95,13 @@ impl Builder<'_> {
 
     pub fn phase(&mut self, parts: &Parts, span: TextSpan) -> Phase {
         let from = parts.from.as_ref().map(|slot| slot.value);
+        let days = parts.days();
+        if days.weekdays == 0 || days.months == 0 {
+            let except = parts.except_days.as_ref().or(parts.weekdays.as_ref()).map(|slot| slot.span);
+            let span = except.or(parts.except_months.as_ref().map(|slot| slot.span)).unwrap_or(span);
+            let (text, reason) = (self.said(span), "no day is left on which it happens".to_owned());
+            self.fault(span, SentenceMessage::DoesNotFit { text, reason });
+        }
         if let (Some(over), None, false) = (&parts.over, from, self.context.is_condition) {
             let help = "write \"From week 6, over 4 weeks, ...\"".to_owned();
             self.fault(over.span, TimeSentenceMessage::NoBeginning { help });

@@ -47,7 +47,7 @@ pub fn check(draft: &RoutineDraft, faults: &mut Faults) {
     idle_rules(draft, faults);
 }
 
-fn own_habits<'a>(draft: &'a RoutineDraft) -> impl Iterator<Item = (usize, &'a Habit)> + Clone {
+fn own_habits(draft: &RoutineDraft) -> impl Iterator<Item = (usize, &Habit)> + Clone {
     draft.routine.habits.iter().enumerate().filter(|(_, habit)| habit.visitor.is_none())
 }
 

@@ -236,7 +236,10 @@ impl Parts {
         let except_months = self.except_months.as_ref().map_or(0, |slot| slot.value);
         let weekdays = self.weekdays.as_ref().map_or(DaySelection::ALL.weekdays, |slot| slot.value);
         // A weekday comes round on days that lie seven apart, so every other one is on every other of these days.
-        let is_of_weeks = weekdays.count_ones() == 1 && self.weekdays.is_some() && every % 7 == 0 && every % 49 != 0;
+        let is_of_weeks = weekdays.count_ones() == 1
+            && self.weekdays.is_some()
+            && every.is_multiple_of(7)
+            && !every.is_multiple_of(49);
         DaySelection {
             weekdays: weekdays & !except_days,
             months: self.months.as_ref().map_or(DaySelection::ALL.months, |slot| slot.value) & !except_months,

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 /// A sentence that is understood, or its problems.
 pub enum Reading {
-    Heading(Parts),
+    Heading(Box<Parts>),
     Meaning(Box<Built>),
     Refused(Vec<(TextSpan, Diagnostic)>),
 }
@@ -95,7 +95,7 @@ fn best(names: &HomeNames, context: Context, tokens: &Tokens, chart: &mut Chart,
     {
         return match is_indented {
             true => Reading::Refused(vec![(span, SentenceMessage::NothingDone.into())]),
-            false => Reading::Heading(parts.clone()),
+            false => Reading::Heading(Box::new(parts.clone())),
         };
     }
     let other = best.iter().skip(1).find(|(faults, other, _, other_built)| {

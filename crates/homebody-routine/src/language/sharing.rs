@@ -129,10 +129,9 @@ fn take_over(group: &mut [Clause], said: &[(Join, Clause)]) -> Option<TextSpan> 
             clause.parts.when = last.parts.when.replace(Slot { value: vec![Said::Then], ..when });
         }
     }
-    for at in 1..group.len() {
-        let (before, here) = group.split_at_mut(at);
-        let (Some(first), [here, ..]) = (before.first(), here) else { continue };
-        let is_again = said[at].0 == Join::Again;
+    let (first, others) = group.split_first_mut()?;
+    for (here, (join, _)) in others.iter_mut().zip(&said[1..]) {
+        let is_again = *join == Join::Again;
         if !is_lived(here) || !is_lived(first) || is_again {
             continue;
         }

@@ -98,7 +98,7 @@ pub fn named(name: &str) -> Option<Production> {
             let number = a.numbers();
             let (number, unit) = (number[number.len() - 2], number[number.len() - 1]);
             let is_count = number.fract() == 0.0 && (1.0..=1000.0).contains(&number);
-            is_count.then(|| PhraseValue::Moment(PhaseDay::Day(0), (number * unit) as i32))
+            is_count.then_some(PhraseValue::Moment(PhaseDay::Day(0), (number * unit) as i32))
         },
         "in_moment" => |a| {
             let numbers = a.numbers();
