@@ -31,7 +31,8 @@ export async function playNewRun(page) {
   const pause = page.getByRole('button', { name: 'Pause', exact: true });
   await until(async () => {
     if (await pause.isVisible()) return true;
-    await page.getByRole('button', { name: 'Play', exact: true }).click();
+    // The button may become Pause in the meantime.
+    await page.getByRole('button', { name: 'Play', exact: true }).click({ timeout: 1_000 }).catch(() => {});
     return false;
   }, 'the new run does not play');
 }
