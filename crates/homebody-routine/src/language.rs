@@ -101,7 +101,7 @@ struct TextReader<'t> {
 }
 
 /// Steps that a text takes for sentences that are refused (our choice): those of some twenty long ones.
-const MOST_STEPS_OF_REFUSED: usize = 700_000;
+const MOST_STEPS_OF_REFUSED: usize = 400_000;
 
 fn read_text(file: &str, text: &str, known: &KnownNames, is_condition: bool) -> (Routine, Vec<Problem>) {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
