@@ -193,7 +193,7 @@ def test_a_scenario_is_made_and_changed_by_code(tmp_path: Path) -> None:
     assert len(fewer.sensors) == len(home.sensors) - 1
     copied = hb.scenario(home.save(tmp_path / "home"))
     assert copied.run(days=0.5, seed=1).summary["sha256"] == home.run(days=0.5, seed=1).summary["sha256"]
-    assert "coffee" not in home.with_routine("margaret", "# A life\n- Sleeps from 22:00 to 6:00.\n").routine("margaret")
+    assert "coffee" not in home.with_routine("margaret", "# A life\nShe goes to bed at 22:00 and gets up at 6:00.\n").routine("margaret")
 
 
 def test_all_that_is_wrong_comes_at_once() -> None:
