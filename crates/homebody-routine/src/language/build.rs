@@ -248,7 +248,7 @@ impl Builder<'_> {
         let count = whens.len() as u32;
         // "Twice: in the morning and in the evening" is once in each.
         let times = if count > 1 && times == (count, count) { (1, 1) } else { times };
-        let chance = self.chance(&clause, &parts);
+        let chance = self.chance(&parts);
         for (when, parts) in whens {
             let (when, until) = self.time(when.as_ref(), &parts, &activity);
             self.check_times(&parts, &when);
@@ -302,7 +302,7 @@ impl Builder<'_> {
         }
     }
 
-    /// For so many nights somebody stays; of anything else, they are a length in days. From a day on and on no other is once.
+    /// The nights of a visit or an absence. Other activities happen on so many days. With a first day alone, it happens once.
     fn nights(&mut self, activity: &Activity, parts: &mut Parts) -> u32 {
         let Some(slot) = parts.nights.take() else { return 0 };
         if !matches!(activity, Activity::Leave | Activity::Visit) {
@@ -340,7 +340,7 @@ impl Builder<'_> {
     }
 
     /// The probability; a rate, such as once a month, is shared by the days that the sentence names.
-    fn chance(&mut self, clause: &Clause, parts: &Parts) -> HabitChance {
+    fn chance(&mut self, parts: &Parts) -> HabitChance {
         let Some(slot) = &parts.chance else { return HabitChance::ALWAYS };
         let mut chance = slot.value.chance;
         if slot.value.is_rate && parts.weekdays.is_some() {
@@ -357,7 +357,6 @@ impl Builder<'_> {
                 chance = HabitChance { becomes: chance.becomes, ..HabitChance::ALWAYS };
             }
         }
-        let _ = clause;
         chance
     }
 

@@ -1,4 +1,4 @@
-//! What the meaning of a sentence is built in: habits, changes, rules and facts, with their problems.
+//! The builder of a sentence's meaning: habits, changes, rules and facts, with their problems.
 
 use super::calendar;
 use super::lexicon::LexiconWords;

@@ -58,7 +58,7 @@ pub fn habit_sentence(habit: &Habit) -> String {
     sentence(front(&habit.when).into_iter().chain(then), &join(said, " "))
 }
 
-/// What a visitor does, alone or with the resident.
+/// The words for the work of a visitor, alone or with the resident.
 fn work_words(activity: &Activity) -> String {
     match activity.row().and_then(|row| row.help) {
         Some(_) => phrase(activity),

@@ -5,8 +5,8 @@
 
 use super::grammar::{Category, Comma, Element, Grammar, Preceding, ValueMaker, Wanted};
 use super::productions::arguments::{Arguments, Kid};
-use super::value::PhraseValue;
-use super::words::{SentenceWord, TextSpan};
+use super::value::{PhraseValue, Range};
+use super::words::{SentenceWord, TextSpan, Token};
 use homebody_core::problem::Diagnostic;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
@@ -117,6 +117,18 @@ impl<'a> Chart<'a> {
         let skipped = if cost >= SKIP_COST { 1 << start } else { 0 };
         let (start, end, value) = (start as u8, end as u8, Rc::new(value));
         self.push(Phrase { category, start, end, value, cost, faults: None, skipped });
+    }
+
+    /// Gives a number or a time in digits.
+    pub fn give_digits(&mut self, at: usize, token: &Token) {
+        match *token {
+            Token::Number(number) => self.give("NUMBER", at, at + 1, PhraseValue::Number(number), 0),
+            Token::Clock(hours, minutes) => {
+                let range = Range { from: f64::from(hours), to: f64::from(minutes), about: false };
+                self.give("CLOCK", at, at + 1, PhraseValue::Range(range), 0);
+            }
+            _ => {}
+        }
     }
 
     /// All readings of the whole sentence of the cheapest class: without faults, else with faults, else with words left out.

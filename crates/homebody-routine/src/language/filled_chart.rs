@@ -5,7 +5,7 @@ use super::builder::Context;
 use super::chart::{Chart, MOST_STEPS, SKIP_COST};
 use super::names::{HomeNames, Sort};
 use super::tokens::{Tokens, span_of};
-use super::value::{PhraseValue, Range};
+use super::value::PhraseValue;
 use super::words::{self, SentenceWord, Token, is_determiner};
 use crate::routine::PhaseDay;
 
@@ -38,11 +38,7 @@ pub fn filled_chart<'a>(
     let mut chart = Chart::new(grammar, text, words, &tokens.commas, &is_determiner, most_steps);
     for (at, word) in words.iter().enumerate() {
         match word.token {
-            Token::Number(number) => chart.give("NUMBER", at, at + 1, PhraseValue::Number(number), 0),
-            Token::Clock(hours, minutes) => {
-                let range = Range { from: f64::from(hours), to: f64::from(minutes), about: false };
-                chart.give("CLOCK", at, at + 1, PhraseValue::Range(range), 0);
-            }
+            Token::Number(_) | Token::Clock(..) => chart.give_digits(at, &word.token),
             Token::Date(year, month, day) => {
                 let date = PhaseDay::Date(year as i16, month.min(99) as u8, day.min(99) as u8);
                 chart.give("DATE", at, at + 1, PhraseValue::Moment(date, 1), 0);

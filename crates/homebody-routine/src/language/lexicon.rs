@@ -9,8 +9,8 @@ use super::grammar::{Comma, Element, Grammar, Preceding, Rule, ValueMaker, Wante
 use super::messages::LexiconMessage;
 use super::productions;
 use super::tokens::Tokens;
-use super::value::{PhraseValue, Range};
-use super::words::{self, Token, is_determiner};
+use super::value::PhraseValue;
+use super::words::{self, is_determiner};
 use crate::routine::Activity;
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Excerpt, Problem};
@@ -407,14 +407,7 @@ pub fn meaning_of(lexicon: &LexiconWords, text: &str) -> Option<PhraseValue> {
         let grammar = &lexicon.grammar;
         let mut chart = Chart::new(grammar, text, &tokens.words, &tokens.commas, &is_determiner, MOST_STEPS);
         for (at, word) in tokens.words.iter().enumerate() {
-            match word.token {
-                Token::Number(number) => chart.give("NUMBER", at, at + 1, PhraseValue::Number(number), 0),
-                Token::Clock(hours, minutes) => {
-                    let range = Range { from: f64::from(hours), to: f64::from(minutes), about: false };
-                    chart.give("CLOCK", at, at + 1, PhraseValue::Range(range), 0);
-                }
-                _ => {}
-            }
+            chart.give_digits(at, &word.token);
         }
         let found = chart.readings(category);
         if let Some(item) = found.iter().find(|item| item.faults.is_none()) {

@@ -176,16 +176,14 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
             let help = known_or_nearest(&text, names.of(&[Sort::Condition]));
             return vec![(named.span, WordMessage::UnknownCondition { text, help }.into())];
         }
-        if let Some(meant) = slip(names, doing, &spoken) {
-            return vec![(span, WordMessage::UnknownVerb { text: spoken, help: Some(Advice::meant(&meant)) }.into())];
-        }
-        let offers = similar(names, context, words, verb..verb + doing.len());
-        if !offers.is_empty() {
-            let help = Some(format!("write {}", quoted(&offers)).into());
-            return vec![(span, WordMessage::UnknownVerb { text: spoken, help }.into())];
-        }
+        let offers = || quoted(&similar(names, context, words, verb..verb + doing.len()));
         let can_be_new = chart.phrases("OWN").any(|item| item.start as usize == verb);
-        let help = help_for(doing, &spoken, can_be_new);
+        let help = slip(names, doing, &spoken)
+            .map(|meant| Advice::meant(&meant))
+            .or_else(|| {
+                Some(offers()).filter(|offers| !offers.is_empty()).map(|offers| format!("write {offers}").into())
+            })
+            .or_else(|| help_for(doing, &spoken, can_be_new));
         return vec![(span, WordMessage::UnknownVerb { text: spoken, help }.into())];
     }
     if subject.is_some() {
@@ -239,7 +237,7 @@ fn said_of(text: &str, words: &[SentenceWord]) -> String {
     if words.is_empty() { String::new() } else { said(text, span_of(words)) }
 }
 
-/// What was probably meant, where one word is nearly a known one.
+/// The words that were probably meant: one of them is nearly a known word.
 fn slip(names: &HomeNames, doing: &[SentenceWord], spoken: &str) -> Option<String> {
     /// In a longer phrase, an unknown word is hardly a slip.
     const MOST_NEAR: usize = 5;
@@ -254,7 +252,7 @@ fn slip(names: &HomeNames, doing: &[SentenceWord], spoken: &str) -> Option<Strin
     of_home.map(meant).or_else(|| near().filter(begins_known))
 }
 
-/// What else the sentence needs.
+/// A hint that names what the sentence lacks.
 fn help_for(doing: &[SentenceWord], spoken: &str, can_be_new: bool) -> Option<Advice> {
     const FEW: usize = 4;
     let verb = doing[0].text.as_str();
@@ -267,7 +265,7 @@ fn help_for(doing: &[SentenceWord], spoken: &str, can_be_new: bool) -> Option<Ad
     if !quoted.is_empty() {
         return Some(format!("known activities are {}, ...", quoted.join(", ")).into());
     }
-    // A word that may be a slip is no name of a new activity, and what is denied is none.
+    // A new activity is neither denied nor nearly a known word.
     if !can_be_new || doing.iter().any(|word| denies(&word.text)) {
         return None;
     }

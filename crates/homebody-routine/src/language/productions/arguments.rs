@@ -1,4 +1,4 @@
-//! What a production makes a value from.
+//! The arguments of a production, from which it makes a value.
 
 use crate::language::parts::{Parts, Slot};
 use crate::language::value::{Act, PhraseValue};
