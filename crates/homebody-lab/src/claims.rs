@@ -14,8 +14,9 @@ mod truth;
 #[cfg(test)]
 mod tests;
 
+pub use subject::{Filter, Subject};
 pub use text::{CLAIMS, CONDITIONS, Claim, ClaimCase, ClaimHome};
-pub use truth::ClaimTruth;
+pub use truth::{ClaimTruth, Occurrence};
 
 use crate::simulated::each_step;
 use homebody_core::run::Run;

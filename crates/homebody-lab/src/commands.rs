@@ -15,6 +15,7 @@ mod recogniser;
 mod round_trip;
 mod sensor_faults;
 mod sphere;
+mod statements;
 
 use crate::catalogue;
 use clap::Parser;
@@ -36,6 +37,7 @@ use std::ffi::OsString;
   homebody-lab sphere --data sphere_challenge --svg rooms.svg
   homebody-lab daily-life --people 20 --days 14 --png people.png
   homebody-lab claims --json claims.json
+  homebody-lab statements --count 5000 --seed 7
   homebody-lab conditions
   homebody-lab possible
   homebody-lab realism --data casas --json realism.json
@@ -90,6 +92,7 @@ commands! {
     Falls(falls::FallsLabArguments),
     RoundTrip(round_trip::RoundTripLabArguments),
     SensorFaults(sensor_faults::SensorFaultsLabArguments),
+    Statements(statements::StatementsLabArguments),
 }
 
 /// Explain a message of an experiment by its code

@@ -30,5 +30,6 @@ mod round_trip;
 mod sensor_faults;
 mod simulated;
 mod sphere;
+mod statements;
 
 pub use commands::{command, run};

@@ -24,6 +24,10 @@ homebody_core::messages! {
         /// that fail both.
         ClaimsFail { count: usize } error "claims-fail"
             ("claims that the simulation did not follow, without a warning before the run: {count}");
+        /// Each field of a random statement must happen in the simulation, or Homebody must report before the run that it cannot. The table
+        /// lists the fields that fail both; `--only` repeats one.
+        StatementsFail { count: usize } error "statements-fail"
+            ("fields of statements that did not happen, without a report before the run: {count}");
         /// Each kind of impossible event is a row of the table. The experiment succeeds only if all counts are 0.
         Impossible error "impossible-events" ("the simulations have impossible events");
     }

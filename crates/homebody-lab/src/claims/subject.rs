@@ -11,7 +11,10 @@ pub enum Subject {
     /// A value of a sensor, such as `OPEN`.
     Says(String),
     Metres,
+    /// Of long strides.
     Pace,
+    /// Of all strides.
+    Speed,
     /// Seconds of movement in bed an hour asleep.
     Turning,
     Severity(String),
@@ -44,6 +47,7 @@ impl Subject {
             ("lamps", "") => Subject::Lamps,
             ("metres", "") => Subject::Metres,
             ("pace", "") => Subject::Pace,
+            ("speed", "") => Subject::Speed,
             ("turning", "") => Subject::Turning,
             ("firings", "") => Subject::Firings,
             _ => Subject::Activity(text.to_owned()),

@@ -7,6 +7,7 @@ use homebody_core::activity::{
 };
 use homebody_core::calendar::Calendar;
 use homebody_core::event::{Events, Fact};
+use homebody_core::geometry::Point;
 use homebody_core::motion::MotionState;
 use homebody_core::posture::Posture;
 use homebody_core::run::Run;
@@ -37,6 +38,12 @@ const INTERRUPTING: [&str; 10] = [
 const EACH_ALONE: [&str; 9] =
     [AWAY, DRINKING, HAVING_A_SNACK, LYING_AWAKE, PACING, TAKING_MEDICINE, USING_BATHROOM, LAPPING, WANDERING];
 
+/// Shortest time at one point that counts as a stay there (our choice).
+const LEAST_STAY: Span = SECOND.times(5);
+
+/// Distance from the middle of a seat or a place within which a person is there, in metres (our choice).
+const AT_PLACE_M: f64 = 1.0;
+
 /// Shortest stride with a known speed, in metres (our choice).
 const LEAST_M: f64 = 1.0;
 
@@ -54,6 +61,8 @@ pub struct Occurrence {
 pub struct ClaimTruth {
     calendar: Calendar,
     days: i32,
+    /// The beginning of each day: the calendar is too slow for each movement.
+    midnights: Vec<RunTime>,
     builder: TimelineBuilder,
     /// The activities and rooms of each body, once the run has ended.
     people: Vec<PersonTimeline>,
@@ -62,16 +71,31 @@ pub struct ClaimTruth {
     bodies: Vec<Body>,
     said: Vec<(RunTime, String)>,
     fired: Vec<RunTime>,
+    /// Places and enterable furniture, by name.
+    furniture: Vec<(String, Point)>,
+}
+
+/// A time at one point.
+#[derive(Clone, Copy, Debug)]
+struct Stay {
+    time: Interval<RunTime>,
+    at: Point,
+    posture: Posture,
 }
 
 #[derive(Clone, Debug, Default)]
 struct Body {
-    /// By day: metres, speeds with the metres that they are of, and seconds of movement in bed.
+    /// By day: metres, speeds of long strides with the metres that they are of, seconds of walking, and of movement in bed.
     metres: Vec<f64>,
     paces: Vec<(f64, f64)>,
+    walking_s: Vec<f64>,
     turning_s: Vec<f64>,
     /// The severities of conditions, with their start.
     severities: Vec<(RunTime, String, f64)>,
+    /// Times at one point of at least [`LEAST_STAY`].
+    stays: Vec<Stay>,
+    /// Times in the home.
+    home: Vec<(Interval<RunTime>, Span)>,
 }
 
 impl ClaimTruth {
@@ -81,12 +105,15 @@ impl ClaimTruth {
         let body = |_| Body {
             metres: vec![0.0; many],
             paces: vec![(0.0, 0.0); many],
+            walking_s: vec![0.0; many],
             turning_s: vec![0.0; many],
             ..Body::default()
         };
         ClaimTruth {
             calendar: calendar.clone(),
             days,
+            midnights: (0..=days + 1).map(|day| calendar.instant(day, Span::ZERO)).collect(),
+            furniture: plan.places.iter().map(|(name, at)| (name.to_lowercase(), *at)).collect(),
             builder: TimelineBuilder::for_run(run),
             people: Vec::new(),
             things: plan
@@ -110,8 +137,8 @@ impl ClaimTruth {
                     self.bodies[resident.index()].severities.push((*at, name.clone(), *severity));
                 }
                 Fact::Movement { resident, begin, end, doing, posture } => {
-                    let day = self.calendar.day(*begin).clamp(0, self.days) as usize;
-                    self.bodies[resident.index()].moved(day, (*end - *begin).seconds(), doing, *posture);
+                    let day = self.day_of(*begin).clamp(0, self.days) as usize;
+                    self.bodies[resident.index()].moved(day, Interval::new(*begin, *end), doing, *posture);
                 }
                 _ => {}
             }
@@ -148,7 +175,53 @@ impl ClaimTruth {
     }
 
     pub fn midnight(&self, at: RunTime) -> RunTime {
-        self.calendar.instant(self.calendar.day(at), Span::ZERO)
+        match self.midnights.get(usize::try_from(self.day_of(at)).unwrap_or(usize::MAX)) {
+            Some(midnight) => *midnight,
+            None => self.calendar.instant(self.calendar.day(at), Span::ZERO),
+        }
+    }
+
+    pub fn calendar(&self) -> &Calendar {
+        &self.calendar
+    }
+
+    /// The day of an instant; the first is 0.
+    pub fn day_of(&self, at: RunTime) -> i32 {
+        let day = self.midnights.partition_point(|midnight| *midnight <= at);
+        if (1..self.midnights.len()).contains(&day) { day as i32 - 1 } else { self.calendar.day(at) }
+    }
+
+    /// The times of a body in the home.
+    pub fn at_home(&self, body: usize) -> Vec<Occurrence> {
+        self.joined(self.bodies[body].home.iter().copied(), TOUCHING)
+    }
+
+    /// The times that a body sits, wherever it does.
+    pub fn sitting(&self, who: usize) -> Vec<Occurrence> {
+        let sits = self.bodies[who].stays.iter().filter(|stay| stay.posture == Posture::Sitting);
+        self.joined(sits.map(|stay| (stay.time, Span::ZERO)), LEAST_STAY)
+    }
+
+    /// The time at a piece of furniture or a place, within an interval.
+    pub fn time_at(&self, who: usize, name: &str, within: Interval<RunTime>) -> Span {
+        let at: Vec<Point> = self.furniture.iter().filter(|(of, _)| of == name).map(|(_, at)| *at).collect();
+        let stays = &self.bodies[who].stays;
+        let first = stays.partition_point(|stay| stay.time.end <= within.begin);
+        let until = stays[first..].iter().take_while(|stay| stay.time.begin < within.end);
+        let is_there = |stay: &&Stay| at.iter().any(|at| at.distance(stay.at) < AT_PLACE_M);
+        until.filter(is_there).map(|stay| stay.time.overlap(within)).sum()
+    }
+
+    /// Whether a thing is on or open at an instant.
+    pub fn is_on(&self, name: &str, at: RunTime) -> bool {
+        let of = self.things[..self.lamps_from].iter().filter(|(of, _)| of == name);
+        of.filter_map(|(_, acts)| acts[..acts.partition_point(|(when, _)| *when <= at)].last()).any(|(_, on)| *on)
+    }
+
+    /// Whether a thing is turned on or opened within an interval.
+    pub fn is_used(&self, name: &str, within: Interval<RunTime>) -> bool {
+        let mut acts = self.things[..self.lamps_from].iter().filter(|(of, _)| of == name).flat_map(|(_, acts)| acts);
+        acts.any(|(at, on)| *on && within.contains(*at))
     }
 
     /// The occurrences that count, in order of time.
@@ -157,7 +230,7 @@ impl ClaimTruth {
         let mut all = self.spans(who, subject);
         for one in &mut all {
             // A night goes from noon to noon.
-            one.day = self.calendar.day(if nights { one.time.begin - 12 * HOUR } else { one.time.begin });
+            one.day = self.day_of(if nights { one.time.begin - 12 * HOUR } else { one.time.begin });
         }
         all.retain(|one| {
             let is_then = filter.between.is_none_or(|(from, to)| {
@@ -253,6 +326,7 @@ impl ClaimTruth {
             match subject {
                 Subject::Metres => body.metres[index],
                 Subject::Pace => body.paces[index].0 / body.paces[index].1,
+                Subject::Speed => body.metres[index] / body.walking_s[index],
                 Subject::Firings => {
                     let (from, to) = filter.between.unwrap_or((0.0, 1440.0));
                     let at = |minute: f64| self.calendar.instant(*day, (minute * 60.0) as i64 * SECOND);
@@ -277,11 +351,28 @@ impl ClaimTruth {
 }
 
 impl Body {
-    fn moved(&mut self, day: usize, lasts_s: f64, doing: &MotionState, posture: Posture) {
+    fn moved(&mut self, day: usize, time: Interval<RunTime>, doing: &MotionState, posture: Posture) {
+        let lasts_s = time.length().seconds();
+        if *doing != MotionState::Away {
+            match self.home.last_mut() {
+                Some((last, _)) if last.end == time.begin => last.end = time.end,
+                _ => self.home.push((time, Span::ZERO)),
+            }
+        }
+        if let MotionState::InPlace { at, .. } | MotionState::Rest { at } = doing {
+            match self.stays.last_mut() {
+                Some(last) if last.time.end == time.begin && last.at == *at && last.posture == posture => {
+                    last.time.end = time.end
+                }
+                _ if time.length() >= LEAST_STAY => self.stays.push(Stay { time, at: *at, posture }),
+                _ => {}
+            }
+        }
         match doing {
             MotionState::Stride { from, to } => {
                 let length = from.distance(*to);
                 self.metres[day] += length;
+                self.walking_s[day] += lasts_s;
                 if length >= LEAST_M {
                     self.paces[day].0 += length;
                     self.paces[day].1 += lasts_s;
