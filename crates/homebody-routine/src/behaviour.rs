@@ -10,6 +10,7 @@ mod rising;
 pub mod item;
 mod drafts;
 pub mod agenda;
+mod arrange;
 pub use homebody_walk::{manner, places, stations};
 pub mod script;
 

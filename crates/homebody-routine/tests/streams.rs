@@ -119,6 +119,10 @@ fn planned(routine: &str) -> Vec<Agenda> {
     // Without the position of the sentence.
     for plan in &mut plans {
         plan.items.iter_mut().chain(&mut plan.breaks).for_each(|item| (item.of, item.follows) = (None, None));
+        // A part of the day makes room for another time; what is drawn stays.
+        for item in plan.items.iter_mut().filter(|item| item.open.is_some()) {
+            (item.latest, item.start) = (item.latest - (item.start - RunTime::START), RunTime::START);
+        }
     }
     plans
 }

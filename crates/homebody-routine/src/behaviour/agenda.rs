@@ -7,6 +7,7 @@
 //! whether the resident sleeps or is still up. Stated activities take precedence: unstated washing and dressing wait for a
 //! shower with a time.
 
+use super::arrange;
 use super::defaults;
 use super::drafts::{Drafts, ItemDraft, ItemStart, Resolved};
 use super::help;
@@ -95,9 +96,10 @@ impl Agenda {
             // One that follows another is not overdue.
             item.waits = item.is_unsaid || item.follows.is_none();
         }
-        one_meal_after_the_other(&mut items);
+        arrange::one_meal_after_the_other(&mut items);
+        arrange::into_free_time(&mut items);
         items.sort_by_key(|item| item.start);
-        count_at_home(&mut breaks, &items, up, bed);
+        arrange::count_at_home(&mut breaks, &items, up, bed);
         // Activities after bedtime interrupt the night.
         let is_of_the_night =
             |item: &Item| item.visitor.is_none() && item.start >= bed && item.activity.is_of_the_night();
@@ -118,43 +120,6 @@ fn ready(life: &ResidentRoutine, up: RunTime, items: &[Item], mornings: &[String
         mornings.contains(&item.key) && item.start < soon_is_over && item.activity != Activity::ComeHome
     });
     soon.map(|item| item.start + item.lasts).fold(up, RunTime::max)
-}
-
-/// A late breakfast delays lunch.
-fn one_meal_after_the_other(items: &mut [Item]) {
-    let mut over = RunTime::MIN;
-    for meal in Meal::ALL {
-        let is_of = |item: &&mut Item| {
-            item.visitor.is_none() && [Activity::Prepare(meal), Activity::Eat(meal)].contains(&item.activity)
-        };
-        let of_meal: Vec<&mut Item> = items.iter_mut().filter(is_of).collect();
-        let Some(begin) = of_meal.iter().map(|item| item.start).min() else { continue };
-        let by = over.saturating_since(begin).max(Span::ZERO);
-        for item in of_meal {
-            (item.start, item.latest, item.waits) = (item.start + by, item.latest + by, item.waits || by > Span::ZERO);
-            over = over.max(item.start + item.lasts);
-        }
-    }
-}
-
-/// Spreads activities with a number per day over the time at home. Those that a long outing displaced follow it.
-fn count_at_home(breaks: &mut [Item], items: &[Item], up: RunTime, bed: RunTime) {
-    let outings = items.iter().filter(|item| item.activity == Activity::Leave && item.visitor.is_none());
-    let outings = outings.map(|item| Interval::new(item.start, item.until.unwrap_or(item.start + item.lasts)));
-    let mut away: Vec<Interval<RunTime>> = Vec::new();
-    for outing in outings {
-        let over = away.last().map_or(up, |before| before.end);
-        away.extend(Some(outing.intersection(Interval::new(over, bed))).filter(|outing| !outing.is_empty()));
-    }
-    let at_home = bed - up - away.iter().map(|outing| outing.length()).sum::<Span>();
-    let share = at_home.ratio((bed - up).max(Span::MICROSECOND));
-    for item in breaks.iter_mut().filter(|item| item.is_counted && (up..bed).contains(&item.start)) {
-        let mut start = up + (item.start - up).share(share);
-        for outing in &away {
-            start += if start >= outing.begin { outing.length() } else { Span::ZERO };
-        }
-        (item.start, item.latest) = (start, bed);
-    }
 }
 
 /// Time until which it is night (our choice). An activity of a later hour is overdue for a person who sleeps longer.
@@ -341,33 +306,34 @@ impl Planner<'_> {
         let key = of_time(key, 0);
         let share = |purpose: &str| self.life.stream_of_day(day, &format!("{key}/{purpose}")).unit();
         let chance = self.life.chance(habit, strength, day);
-        if let Some(days) = habit.when.chance.days_a_week
-            && !self.is_one_of(habit, &key, days, day)
-        {
-            return 0;
-        }
-        let chance = if habit.when.chance.days_a_week.is_some() {
-            (chance / habit.when.chance.probability).min(1.0)
-        } else {
-            chance
+        // On more days as long as there are any, then more times a day.
+        let (chance, more) = match habit.when.chance.days_a_week {
+            Some(days) => {
+                let days = f64::from(days) * oftener;
+                let (rank, of) = self.place_in_week(habit, &key, day);
+                let chance = (chance / habit.when.chance.probability).min(1.0);
+                (chance * (days - rank).clamp(0.0, 1.0), (days / of).max(1.0))
+            }
+            None => ((chance * oftener).min(1.0), (chance * oftener).max(1.0)),
         };
-        if share("whether") >= (chance * oftener.min(1.0)).min(1.0) {
+        if share("whether") >= chance {
             return 0;
         }
         let (least, most) = habit.when.times;
         let drawn = f64::from(least) + libm::floor(share("times") * f64::from(most - least + 1));
         // A fraction becomes a probability.
-        let times = drawn * oftener.max(1.0);
+        let times = drawn * more;
         let whole = libm::floor(times);
         (whole as u32 + u32::from(share("once more") < times - whole)).min(200)
     }
 
-    /// Whether a day is among the days of its week that are drawn for the habit.
-    fn is_one_of(&self, habit: &Habit, key: &str, days: u8, today: i32) -> bool {
-        let meant = self.life.week_of(today).filter(|&day| self.life.is_on(&habit.when.days, day));
+    /// The place of a day among the days of its week that the habit may be on, in drawn order, and the number of these days.
+    fn place_in_week(&self, habit: &Habit, key: &str, today: i32) -> (f64, f64) {
+        let meant: Vec<i32> = self.life.week_of(today).filter(|&day| self.life.is_on(&habit.when.days, day)).collect();
         let share = |day: i32| self.life.stream_of_day(day, &format!("{key}/of the week")).unit();
         let own = share(today);
-        meant.filter(|&day| day != today && share(day) < own).count() < usize::from(days)
+        let before = meant.iter().filter(|&&day| day != today && share(day) < own).count();
+        (before as f64, meant.len() as f64)
     }
 
     /// In seconds, with random numbers from `key`.
@@ -404,7 +370,7 @@ impl Planner<'_> {
         let later = Span::from_seconds(parameters.later_s(&activity) + clock_s);
         let at = |time_s: f64| self.life.instant(time.day, time_s);
         let within = |from: RunTime, to: RunTime| from + (to - from).max(Span::ZERO).share(share);
-        let mut patience = 2.5 * HOUR_S;
+        let (mut patience, mut open) = (2.5 * HOUR_S, None);
         let when = self.when_of(habit, &key, time.day);
         let (start, known) = match &when {
             HabitTime::At(time) => {
@@ -422,6 +388,7 @@ impl Planner<'_> {
                 let (from, to) = part.hours();
                 let to = (to - lasts.seconds()).max(from + 0.2 * (to - from));
                 patience = (to - from) + HOUR_S;
+                open = Some(Interval::new(at(from), at(to)));
                 (at(from + (to - from) * share), ItemStart::Known)
             }
             HabitTime::AnyTime if time.of > 1 => self.spread_over_the_day(&activity, time, lasts, own),
@@ -448,6 +415,7 @@ impl Planner<'_> {
         }
         let stated_by = match &habit.when.time {
             HabitTime::At(time) => at(time.high).saturating_add(later),
+            HabitTime::Within(part) if *part != PartOfDay::Night => at(part.hours().1).saturating_add(later),
             _ => RunTime::MIN,
         };
         let until = self.end_of(habit, &key, time.day);
@@ -478,6 +446,7 @@ impl Planner<'_> {
             has_key: habit.key,
             does: habit.does.clone(),
             is_let_in: false,
+            open,
             is_counted: matches!(when, HabitTime::AnyTime) && (time.of > 1 || habit.activity == Activity::UseBathroom),
             follows: None,
             key,

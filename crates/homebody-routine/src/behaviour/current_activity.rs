@@ -23,6 +23,8 @@ pub(super) struct Playing {
     /// The sentence, and the start.
     pub(super) of: Option<SentenceId>,
     pub(super) since: RunTime,
+    /// Time that other planned activities took in the middle of it.
+    pub(super) paused: Span,
     pub(super) walks: WalkPurpose,
     /// The stated end, after which the rest is left out.
     pub(super) until: Option<RunTime>,
@@ -79,6 +81,7 @@ impl Playing {
             is_interrupted: false,
             of: None,
             since: RunTime::START,
+            paused: Span::ZERO,
             walks: WalkPurpose::Need,
             until: None,
             gives_way: false,

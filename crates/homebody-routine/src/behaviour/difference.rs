@@ -47,7 +47,7 @@ const LEFT_OUT: f64 = 0.05;
 const LATE_SHARE: f64 = 0.1;
 
 /// Share of its mean length below which an activity is reported (our choice).
-const SHORT: f64 = 0.7;
+const SHORT: f64 = 0.9;
 
 /// Sentences that a run, so far, does not follow, the largest loss first.
 pub fn of_run(run: &Run, measured: Measured) -> Vec<Difference> {
@@ -184,9 +184,7 @@ fn difference(
         });
     }
     let habit = life.habit(id)?;
-    if matches!(habit.when.time, HabitTime::At(_) | HabitTime::Before(..))
-        && f64::from(late) > f64::from(begun) * LATE_SHARE
-    {
+    if habit.when.time != HabitTime::AnyTime && f64::from(late) > f64::from(begun) * LATE_SHARE {
         return Some(Lost {
             expected: "at its time".to_owned(),
             lived: format!("begun more than {} min late {late} of {begun} times", LATE / MINUTE),
@@ -196,7 +194,7 @@ fn difference(
     }
     let SentenceOutcome { begun, done, planned_s, lasted_s, .. } = lengths;
     let (planned_min, lasted_min) = (planned_s / f64::from(begun) / 60.0, lasted_s / f64::from(done) / 60.0);
-    if habit.when.lasts.is_some() && done > 0 && lasted_min < SHORT * planned_min {
+    if (habit.when.lasts.is_some() || habit.when.until.is_some()) && done > 0 && lasted_min < SHORT * planned_min {
         return Some(Lost {
             expected: format!("{planned_min:.0} min on average"),
             lived: format!("{lasted_min:.0} min on average"),

@@ -268,7 +268,13 @@ impl RoutineDriver {
         if let Some(over) = self.scripts.pop() {
             still = over.answers.map(|rank| (rank, over.still)).filter(|(_, still)| !still.is_empty());
             self.watches.has_done(&over.label, now, &self.life);
-            self.tally.end(over.of, now - over.since);
+            let lasted = now - over.since;
+            // Company stays while the host cooks.
+            let paused = if over.guest.is_some() { Span::ZERO } else { over.paused };
+            self.tally.end(over.of, lasted - paused);
+            if let Some(below) = self.scripts.last_mut().filter(|_| over.of.is_some()) {
+                below.paused += lasted;
+            }
             if over.is_essential {
                 self.at_table = now;
             }
@@ -520,6 +526,7 @@ impl RoutineDriver {
         let rest = self.agenda.items.iter().skip(self.next_item);
         self.next_item += rest.take_while(|item| is_past(item)).count();
         self.wait_for_others(now);
+        self.let_both_be_in_time(now);
         self.prefer_stated(now);
         self.serve(now);
         let next = self.agenda.items.get(self.next_item).cloned();

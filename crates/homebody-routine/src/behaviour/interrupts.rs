@@ -5,6 +5,7 @@ use super::drafts::SOON_DONE;
 use super::driver::{GRACE, RoutineDriver};
 use super::item::Item;
 use super::manner::Manner;
+use super::resident_routine::{ResidentRoutine, SentenceId};
 use super::script::{ActivityStep, Interruptible, StayStep};
 use crate::routine::{Activity, Response};
 use homebody_core::activity::{self, ActivityKind, UsualLength};
@@ -115,6 +116,7 @@ impl RoutineDriver {
             && due <= now
         {
             let item = self.agenda.items.remove(index);
+            self.tally.plan_item(&item);
             if now <= item.latest {
                 self.begin_at(&item, now);
             }
@@ -124,10 +126,6 @@ impl RoutineDriver {
             return self.begin_break(now);
         }
         if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
-            // Nobody naps while a guest sits there.
-            if activity == Activity::Nap && self.scripts.iter().any(|playing| playing.guest.is_some()) {
-                return self.needs.put_off(BodilyNeed::Tiredness, now);
-            }
             let key = format!("need/{}/{}", activity.label(), self.times(&activity));
             let mut stream = self.life.stream_of_day(self.agenda.day, &key);
             let UsualLength { median_min, sigma } = match activity {
@@ -135,8 +133,16 @@ impl RoutineDriver {
                 Activity::UseBathroom if self.needs.asleep() => UsualLength { median_min: 4.0, sigma: 0.4 },
                 ref activity => defaults::length(activity, &self.life.numbers),
             };
-            let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
-            self.begin(&Item::now(key, activity, Span::from_seconds(lasts)));
+            let lasts_s = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
+            let lasts = Span::from_seconds(lasts_s);
+            // Nobody naps while a guest sits there, or in the time of something that is stated.
+            let is_stated = |of: SentenceId| of.source != ResidentRoutine::UNSAID;
+            let is_busy =
+                self.scripts.iter().any(|playing| playing.guest.is_some() || playing.of.is_some_and(is_stated));
+            if activity == Activity::Nap && (is_busy || self.is_stated_before(now + lasts)) {
+                return self.needs.put_off(BodilyNeed::Tiredness, now);
+            }
+            self.begin(&Item::now(key, activity, lasts));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::resident_routine::SentenceId;
 use crate::routine::{Activity, Falling};
-use homebody_core::time::{MINUTE, RunTime, Span};
+use homebody_core::time::{Interval, MINUTE, RunTime, Span};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
@@ -30,6 +30,8 @@ pub struct Item {
     pub waits: bool,
     /// A stated time, and not just a part of the day.
     pub has_its_time: bool,
+    /// Possible starts, if the sentence gives a part of the day.
+    pub open: Option<Interval<RunTime>>,
     /// A stated number per day, whatever else is done; at home if possible.
     pub is_counted: bool,
     /// Of a visit: whether the visitor has a key, and what they do.
@@ -75,6 +77,7 @@ impl Item {
             is_unsaid: true,
             waits: true,
             has_its_time: false,
+            open: None,
             is_counted: false,
             has_key: false,
             does: Vec::new(),

@@ -3,7 +3,7 @@
 use super::agenda::Agenda;
 use super::chores::mail_hour;
 use super::defaults;
-use super::driver::RoutineDriver;
+use super::driver::{GRACE, RoutineDriver};
 use super::item::Item;
 use super::manner::Manner;
 use super::places::HomePlace;
@@ -184,9 +184,10 @@ impl RoutineDriver {
 }
 
 impl Agenda {
-    /// Activities after the rising follow the actual one.
+    /// Activities after the rising follow the actual one, also if it is early.
     pub(super) fn rise(&mut self, over: RunTime) {
-        let late = (over - self.up - MINUTE).max(Span::ZERO);
+        let late = over - self.up - MINUTE;
+        let late = if late < -GRACE { late } else { late.max(Span::ZERO) };
         for item in self.items.iter_mut().filter(|item| self.mornings.contains(&item.key)) {
             (item.start, item.latest) = (item.start + late, item.latest + late);
         }

@@ -5,6 +5,7 @@ use super::driver::{GRACE, RoutineDriver};
 use super::item::{Following, Follows, Item};
 use super::resident_routine::SentenceId;
 use super::rising::within_the_day;
+use super::tally::LATE;
 use crate::routine::{Activity, Meal};
 use homebody_core::time::{MINUTE, RunTime, Span};
 
@@ -64,6 +65,37 @@ impl RoutineDriver {
             rest[0].latest = rest[0].latest.max(rest[0].start);
             rest.sort_by_key(|item| item.start);
         }
+    }
+
+    /// An activity with some leeway waits for one that would be late after it, if both are in time so.
+    pub(super) fn let_both_be_in_time(&mut self, now: RunTime) {
+        let rest = &self.agenda.items[self.next_item..];
+        let Some(next) = rest.first().filter(|next| next.start <= now + MINUTE) else { return };
+        if next.waits || next.visitor.is_some() || next.until.is_some() {
+            return;
+        }
+        let meal = next.activity.of_same_meal().filter(|_| matches!(next.activity, Activity::Prepare(_)));
+        let is_eaten = |item: &&Item| Some(&item.activity) == meal.as_ref() && item.visitor.is_none();
+        let at_table = rest.iter().find(is_eaten).map_or(Span::ZERO, |meal| TO_AND_FRO + meal.lasts);
+        let end = now + next.lasts + at_table;
+        let over = |item: &Item| item.start + item.lasts + TO_AND_FRO;
+        let is_squeezed = |item: &&Item| {
+            let is_own = !item.waits && item.has_its_time && item.visitor.is_none() && !item.is_essential();
+            is_own && item.start > now && item.start + LATE < end && over(item) <= next.stated_by + LATE
+        };
+        let Some(first) = rest.iter().skip(1).filter(is_squeezed).find(|item| self.may_begin(item, now)) else {
+            return;
+        };
+        let start = over(first);
+        let next = &mut self.agenda.items[self.next_item];
+        (next.latest, next.start) = (next.latest + (start - next.start), start);
+        self.agenda.items[self.next_item..].sort_by_key(|item| item.start);
+    }
+
+    /// Whether a stated activity with a time begins before an instant.
+    pub(super) fn is_stated_before(&self, end: RunTime) -> bool {
+        let ahead = self.agenda.items.iter().skip(self.next_item).take_while(|item| item.start < end);
+        ahead.into_iter().any(|item| item.has_its_time && !item.waits)
     }
 
     /// The activity of a sentence that is still ahead.

@@ -38,10 +38,13 @@ impl SentenceTally {
 
     /// Counts the plan of a past day from this item on. Coming home is the end of an outing and counts with it.
     pub(super) fn plan(&mut self, agenda: &Agenda, first: usize) {
-        for item in agenda.items.iter().skip(first).chain(&agenda.breaks) {
-            let of = item.of.filter(|_| item.activity != Activity::ComeHome);
-            of.into_iter().chain(item.home).for_each(|of| self.count(Some(of), |lived| lived.planned += 1));
-        }
+        agenda.items.iter().skip(first).chain(&agenda.breaks).for_each(|item| self.plan_item(item));
+    }
+
+    /// Counts an item that leaves the plan before the day is over.
+    pub(super) fn plan_item(&mut self, item: &Item) {
+        let of = item.of.filter(|_| item.activity != Activity::ComeHome);
+        of.into_iter().chain(item.home).for_each(|of| self.count(Some(of), |lived| lived.planned += 1));
     }
 
     pub(super) fn begin(&mut self, item: &Item, now: RunTime) {

@@ -123,6 +123,7 @@ impl RoutineDriver {
         let is_busy = |label: &str| label.starts_with("preparing_") || label.starts_with("eating_") || label == BAKING;
         if !self.scripts.last().is_some_and(|playing| is_busy(&playing.label)) {
             let item = self.agenda.items.remove(index);
+            self.tally.plan_item(&item);
             // A nap is over.
             if self.scripts.last().is_some_and(|playing| playing.label == Activity::Nap.label()) {
                 self.end_script(now);
@@ -254,7 +255,8 @@ impl RoutineDriver {
         let until = until.or(said_until).unwrap_or(now.saturating_add(lasts));
         self.stay.until = Some(until);
         self.stay.helps = false;
-        let meal = self.meal_of_host(now).filter(|_| now < until + MEAL_ENDS);
+        let latest = until + if said_until.is_some() { Span::ZERO } else { MEAL_ENDS };
+        let meal = self.meal_of_host(now).filter(|_| now < latest);
         if now >= until && meal.is_none() || self.is_host_away() {
             return;
         }

@@ -46,6 +46,8 @@ pub fn staying(
     if let Some(days) = &parts.for_days {
         let lasts = Fuzzy::exactly(days.value * DAY_S);
         return match phase.from {
+            // So often within these days.
+            Some(_) if is_often => None,
             Some(from) => {
                 let until = Some(calendar::later(from, 1));
                 Some(Stay { when, phase: Phase { from: Some(from), until, ..Phase::default() }, lasts })
