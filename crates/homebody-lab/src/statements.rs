@@ -32,6 +32,7 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::time::DAY;
 use homebody_routine::behaviour::difference::Difference;
 use homebody_routine::household::Household;
+use homebody_routine::routine::Routine;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -85,7 +86,8 @@ struct SimulatedLife {
     truth: ClaimTruth,
     who: usize,
     differences: Vec<Difference>,
-    remarks: Vec<String>,
+    /// The statements as `explain` gives them.
+    routine: Routine,
 }
 
 impl StatementsExperiment {
@@ -132,7 +134,9 @@ impl DrawnLife {
             let others: Vec<usize> = left.iter().copied().filter(|other| *other != index).collect();
             let twin = if statement.has_twin() { self.simulate_with_carriers(&others, index).ok() } else { None };
             let twin_view = twin.as_ref().map(|twin| self.view(twin));
-            rows.extend(self.rows(index, statement.judge(&view, twin_view.as_ref()), &life));
+            let explained = statement.explained(&life.routine, &statement.words(self.context.home));
+            let fields = explained.into_iter().chain(statement.judge(&view, twin_view.as_ref())).collect();
+            rows.extend(self.rows(index, fields, &life));
         }
         rows.sort_by_key(|row| row.index);
         rows
@@ -186,7 +190,8 @@ impl DrawnLife {
 
     fn rows(&self, index: usize, fields: Vec<FieldResult>, life: &SimulatedLife) -> Vec<FieldRow> {
         let text = self.statements[index].words(self.context.home);
-        let remark = life.remarks.iter().find(|remark| text.contains(remark.trim_end_matches('.')));
+        let remarks = life.routine.remarks.iter().map(|remark| &remark.text);
+        let remark = remarks.into_iter().find(|remark| text.contains(remark.trim_end_matches('.')));
         let is_of_it = |difference: &&Difference| text.contains(difference.text.trim().trim_end_matches('.'));
         let differences: Vec<&Difference> = life.differences.iter().filter(is_of_it).collect();
         fields
@@ -244,18 +249,24 @@ impl DrawnLife {
 
     fn run(&self, scenario: &Scenario, household: &Household) -> Result<SimulatedLife, String> {
         let who = scenario.residents.iter().position(|one| one.file.name == self.context.home.person).unwrap_or(0);
-        let remarks = household.routine(who).map_or(Vec::new(), |routine| routine.remarks.clone());
+        let routine = household.routine(who).cloned().unwrap_or_default();
         let mut run = Run::new(scenario, household, self.seed, i64::from(self.context.days) * DAY);
         let mut truth = ClaimTruth::new(&run, &scenario.calendar, self.context.days);
         each_step(&mut run, DAY, |events| truth.absorb(events)).map_err(|error| error.to_string())?;
         truth.finish();
         let differences = Household::differences(&run);
-        let remarks = remarks.into_iter().map(|remark| remark.text).collect();
-        Ok(SimulatedLife { truth, who, differences, remarks })
+        Ok(SimulatedLife { truth, who, differences, routine })
     }
 }
 
 impl DrawnStatement {
+    /// Whether the numbers that `explain` prints are those of the sentence.
+    fn explained(&self, routine: &Routine, words: &str) -> Option<FieldResult> {
+        let DrawnStatement::Habit(habit) = self else { return None };
+        let of = routine.habits.iter().find(|of| of.said.text.trim_end_matches('.') == words.trim_end_matches('.'))?;
+        habit.explained(of)
+    }
+
     fn judge(&self, view: &LifeView, twin: Option<&LifeView>) -> Vec<FieldResult> {
         match self {
             DrawnStatement::Habit(habit) => habit.judge(view),

@@ -188,3 +188,13 @@ fn the_ordinary_routine_runs_by_its_sentences() {
     run.advance(RunTime::START + DAYS * DAY, &mut Events::default()).unwrap();
     assert_eq!(Household::differences(&run), []);
 }
+
+#[test]
+fn a_visit_to_a_closed_door_is_reported() {
+    let said = "On Tuesday and Friday she goes out at 10:05 for 2 hours.\nHer daughter visits at 10:20 on weekdays.\n";
+    let mut run = run(&format!("{BED}{said}"), DAYS);
+    run.advance(RunTime::START + DAYS * DAY, &mut Events::default()).unwrap();
+    let reported = Household::differences(&run);
+    let of_daughter = reported.iter().find(|of| of.text.contains("daughter"));
+    assert!(of_daughter.is_some_and(|of| of.lost_share > 0.3), "{reported:?}");
+}

@@ -276,3 +276,55 @@ fn a_meal_cooked_too_late_does_not_stop_the_days_after() {
         assert!(days >= 39, "{name} on {days} days");
     }
 }
+
+#[test]
+fn a_stated_part_of_the_day_finds_the_time_between_stated_times() {
+    let said = "She prepares lunch at 12:00 for 25 minutes, then eats for 25 minutes.\nShe prays from 15:45 until 17:30.\n\
+        She prepares dinner at 17:30 for 30 minutes, then eats for 30 minutes.\n\
+        She goes out in the afternoon for 60 to 65 minutes.";
+    let lived = simulate(BASE, said, 40);
+    let out = lived.firsts("away");
+    let in_time = out.iter().filter(|at| (12.0..17.5).contains(&hour(**at))).count();
+    assert!(out.len() >= 39 && 10 * in_time >= 9 * out.len(), "{in_time} of {}", out.len());
+    assert!(share_at(&lived.firsts("praying"), 15.75, 12.0) > 0.93);
+}
+
+#[test]
+fn nobody_naps_in_the_time_of_a_stated_activity() {
+    let said = "Usually she naps.\nShe looks out of the window from 14:00 until 15:30.";
+    let lived = simulate(BASE, said, 60);
+    let begun = |at: RunTime| (13.9..15.4).contains(&hour(at));
+    assert_eq!(lived.of("napping").filter(|one| begun(one.begin)).count(), 0);
+    assert!(share_at(&lived.firsts("looking_out"), 14.0, 15.0) > 0.93);
+    // On a day without it she does.
+    assert!(simulate(BASE, "Usually she naps.", 60).of("napping").count() > 20);
+}
+
+#[test]
+fn twice_as_often_is_on_twice_as_many_days() {
+    let days = |said: &str| simulate(BASE, said, 120).firsts("exercising").len();
+    let some = days("On 40 % of days she exercises at 10:00.");
+    let more = days("On 40 % of days she exercises at 10:00.\nShe exercises twice as often.");
+    assert!((35..62).contains(&some) && (84..108).contains(&more), "{some} {more}");
+    let weekly = days("She exercises 3 times a week at 10:00.\nShe exercises twice as often.");
+    assert!((100..106).contains(&weekly), "{weekly}");
+}
+
+#[test]
+fn so_often_within_some_days_is_no_absence_of_these_days() {
+    let lived = simulate(BASE, "From day 8, for 28 days, she goes out at 18:40 4 times a week for 1 hour.", 50);
+    let evenings: Vec<i64> =
+        lived.of("away").filter(|one| (18.5..19.0).contains(&hour(one.begin))).map(|one| day(one.begin)).collect();
+    assert!((15..=17).contains(&evenings.len()) && evenings.iter().all(|day| (7..35).contains(day)), "{evenings:?}");
+    assert!(lived.of("away").all(|one| one.length() < 10 * 60 * MINUTE));
+}
+
+#[test]
+fn an_early_rising_moves_what_follows_it() {
+    let said = "Whenever she has been in bed for 6 hours, she gets up.\nShe prays 30 minutes after she gets up for 20 minutes.";
+    let lived = simulate(BASE, said, 40);
+    let prayers = lived.firsts("praying");
+    let gaps = minutes_after(&lived, "getting_up", &prayers);
+    let right = gaps.iter().filter(|gap| (28.0..45.0).contains(*gap)).count();
+    assert!(right as f64 > 0.85 * gaps.len() as f64 && gaps.len() > 30, "{gaps:?}");
+}

@@ -77,7 +77,7 @@ pub struct ClaimTruth {
 
 /// A time at one point.
 #[derive(Clone, Copy, Debug)]
-struct Stay {
+struct TimeAtPoint {
     time: Interval<RunTime>,
     at: Point,
     posture: Posture,
@@ -93,7 +93,7 @@ struct Body {
     /// The severities of conditions, with their start.
     severities: Vec<(RunTime, String, f64)>,
     /// Times at one point of at least [`LEAST_STAY`].
-    stays: Vec<Stay>,
+    stays: Vec<TimeAtPoint>,
     /// Times in the home.
     home: Vec<(Interval<RunTime>, Span)>,
 }
@@ -208,7 +208,7 @@ impl ClaimTruth {
         let stays = &self.bodies[who].stays;
         let first = stays.partition_point(|stay| stay.time.end <= within.begin);
         let until = stays[first..].iter().take_while(|stay| stay.time.begin < within.end);
-        let is_there = |stay: &&Stay| at.iter().any(|at| at.distance(stay.at) < AT_PLACE_M);
+        let is_there = |stay: &&TimeAtPoint| at.iter().any(|at| at.distance(stay.at) < AT_PLACE_M);
         until.filter(is_there).map(|stay| stay.time.overlap(within)).sum()
     }
 
@@ -364,7 +364,7 @@ impl Body {
                 Some(last) if last.time.end == time.begin && last.at == *at && last.posture == posture => {
                     last.time.end = time.end
                 }
-                _ if time.length() >= LEAST_STAY => self.stays.push(Stay { time, at: *at, posture }),
+                _ if time.length() >= LEAST_STAY => self.stays.push(TimeAtPoint { time, at: *at, posture }),
                 _ => {}
             }
         }

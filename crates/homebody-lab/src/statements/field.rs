@@ -73,7 +73,7 @@ impl FieldResult {
             "end" => FieldTopic::Length,
             "at" | "mean time" | "part of the day" | "with" | "any time" => FieldTopic::Time,
             _ if field.starts_with("after") || field.starts_with("before") => FieldTopic::Time,
-            "place" | "room" | "door" | "host" | "in the way" => FieldTopic::Other,
+            "place" | "room" | "door" | "host" | "in the way" | "explained numbers" => FieldTopic::Other,
             _ => FieldTopic::Days,
         }
     }

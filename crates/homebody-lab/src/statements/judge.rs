@@ -9,7 +9,7 @@ use crate::claims::Occurrence;
 use homebody_core::activity::{AWAY, FALLEN, GETTING_UP, GOING_TO_BED, LYING_AWAKE, STUMBLING, USING_BATHROOM};
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, Span};
-use homebody_routine::routine::PartOfDay;
+use homebody_routine::routine::{Habit, HabitTime, PartOfDay};
 
 /// Time within which an occurrence is the one of the statement, before and after its time (our choice).
 const NEAR_MIN: (f64, f64) = (120.0, 300.0);
@@ -65,6 +65,32 @@ impl DrawnHabit {
             }
             false => fields,
         }
+    }
+
+    /// The numbers of the statement as it was read, beside the drawn ones.
+    pub fn explained(&self, read: &Habit) -> Option<FieldResult> {
+        let seconds = |minutes: &Fuzzy| minutes.map(|minutes| minutes * MINUTE.seconds());
+        let time = match (&self.time, &read.when.time) {
+            (DrawnTime::At { at, .. }, HabitTime::At(time)) => Some((seconds(at), *time)),
+            (DrawnTime::At { at, .. }, _) => Some((seconds(at), Fuzzy::exactly(f64::NAN))),
+            _ => None,
+        };
+        let length = self.length.as_ref().zip(read.when.lasts).map(|(drawn, read)| (seconds(&drawn.lasts), read));
+        let until = self.until.as_ref().zip(read.when.until).map(|(drawn, read)| (seconds(drawn), read));
+        let numbers: Vec<(Fuzzy, Fuzzy)> = [time, length, until].into_iter().flatten().collect();
+        let parts = |of: &Fuzzy| [of.low, of.from, of.to, of.high];
+        let is_near = |(drawn, read): &(Fuzzy, Fuzzy)| {
+            parts(drawn).into_iter().zip(parts(read)).all(|(drawn, read)| (drawn - read).abs() <= 1.0)
+        };
+        let times = self.times.is_none_or(|times| times == read.when.times);
+        let in_words =
+            |of: &dyn Fn(&(Fuzzy, Fuzzy)) -> Fuzzy| format!("{:?}", numbers.iter().map(of).collect::<Vec<_>>());
+        (!numbers.is_empty() || self.times.is_some()).then(|| FieldResult {
+            field: "explained numbers".to_owned(),
+            expected: in_words(&|(drawn, _)| *drawn),
+            measured: in_words(&|(_, read)| *read),
+            holds: times && numbers.iter().all(is_near),
+        })
     }
 
     /// Whether it is the only source of its activity.
