@@ -33,6 +33,7 @@ mod interrupts;
 mod fall;
 mod ways;
 mod lamps;
+mod things;
 mod sight;
 mod visit;
 mod help;

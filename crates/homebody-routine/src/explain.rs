@@ -192,6 +192,7 @@ fn habit_cells(row: &mut ExplanationRow, habit: &Habit) {
     };
     row.kind = ExplanationKind::Habit;
     row.what = habit.visitor.as_ref().map_or(doing.clone(), |visitor| format!("{visitor} {doing}"));
+    row.what += &habit.thing_on.as_ref().map(|thing| format!(", with the {thing} on")).unwrap_or_default();
     row.place.clone_from(&habit.place);
     row.days = short_days(&habit.when.days, &habit.when.chance);
     row.probability = Some(habit.when.chance.probability);
@@ -259,6 +260,13 @@ fn effect_words(change: &RoutineChange) -> String {
         Effect::SleepsIn => "after a late night gets up as much later".into(),
         Effect::Restless(by) => format!("turning in bed {}", factor(by)),
         Effect::Forgets { thing } => format!("{thing}: left on or open after use with probability {chance}"),
+        Effect::KeepsOn { thing } => match (&change.when.time, &change.when.until) {
+            (HabitTime::At(from), Some(until)) => {
+                format!("{thing}: on or open from {} to {}", clock(from.mean()), clock(until.mean()))
+            }
+            _ => format!("{thing}: on or open all night"),
+        },
+        Effect::Spares { thing } => format!("{thing}: not used"),
         Effect::Shy { of: Shy::OpenFloor, gain } => {
             format!("wandering: keeps close to the walls, gain {}", number(*gain))
         }

@@ -82,6 +82,9 @@ pub struct Habit {
     pub place: Option<String>,
     #[serde(default)]
     pub when: When,
+    /// A thing that is on meanwhile, such as the television.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thing_on: Option<String>,
     /// Whether the visitor lets themselves in and out.
     #[serde(default, skip_serializing_if = "is_usual")]
     pub key: bool,
@@ -292,7 +295,7 @@ pub enum Response {
 pub struct RoutineChange {
     #[serde(skip)]
     pub said: Quote,
-    /// The time is a part of the day or none, and the chance is that of each day or occasion.
+    /// The time is a part of the day or none, or that of a thing; the chance is that of each day or occasion.
     #[serde(default)]
     pub when: When,
     pub effect: Effect,
@@ -340,6 +343,10 @@ pub enum Effect {
     Restless(Fuzzy),
     /// A thing stays on or open after a use, with the stated chance.
     Forgets { thing: String },
+    /// A thing is turned on or opened at the stated time, and off or closed at its end; all night if it is of the night.
+    KeepsOn { thing: String },
+    /// A thing is not used.
+    Spares { thing: String },
     /// Beats per minute added.
     Pulse(Fuzzy),
     /// Breaths per minute added.
@@ -400,7 +407,7 @@ impl Habit {
 impl RoutineChange {
     /// Whether both change the same, so that the later one replaces the other.
     pub(crate) fn is_of_the_same(&self, other: &RoutineChange) -> bool {
-        use Effect::{Active, DaysAre, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips};
+        use Effect::{Active, DaysAre, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips, Spares};
         let is_same_part = self.when.part() == other.when.part();
         match (&self.effect, &other.effect) {
             (Shows { .. }, _) => false,
@@ -411,7 +418,9 @@ impl RoutineChange {
             (Oftener { activity, .. }, Oftener { activity: of, .. }) => activity == of && is_same_part,
             (DaysAre { kind, .. }, DaysAre { kind: of, .. }) => kind == of,
             (Active { .. }, Active { .. }) => is_same_part,
-            (Forgets { thing }, Forgets { thing: of }) => thing.to_lowercase() == of.to_lowercase(),
+            (Forgets { thing }, Forgets { thing: of }) | (Spares { thing }, Spares { thing: of }) => {
+                thing.to_lowercase() == of.to_lowercase()
+            }
             (effect, of) => std::mem::discriminant(effect) == std::mem::discriminant(of),
         }
     }

@@ -26,5 +26,6 @@ mod stage;
 mod stated_first;
 mod statements_page;
 mod streams;
+mod things;
 mod untrained_writers;
 mod visits;

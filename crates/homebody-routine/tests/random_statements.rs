@@ -128,6 +128,7 @@ impl Draw {
             activity: if is_visit { Activity::Visit } else { self.one(activities) },
             place: None,
             when: self.when(),
+            thing_on: (!is_visit && self.is_rare(4)).then(|| self.one(&["television", "lamp"]).to_owned()),
             key: is_visit && self.is_rare(4),
             does: Vec::new(),
             falling: None,
@@ -149,7 +150,9 @@ impl Draw {
         let activity = self.one(activities);
         let factor = Fuzzy::exactly(self.number(2, 19) / 10.0);
         let by = Fuzzy::exactly(self.number(1, 24) * 300.0 * self.one(&[1.0, -1.0]));
-        let effect = match self.0.below(9) {
+        let mut when = When { phase: self.phase(), ..When::default() };
+        let thing = self.one(&["stove", "television", "lamp"]).to_owned();
+        let effect = match self.0.below(11) {
             0 => Effect::Later { activity, by },
             1 => Effect::LongerBy { activity, by },
             2 => Effect::Longer { activity, factor },
@@ -158,9 +161,18 @@ impl Draw {
             5 => Effect::Irregular(factor),
             6 => Effect::Active { factor },
             7 => Effect::Restless(factor),
+            8 => Effect::Spares { thing },
+            9 => {
+                (when.time, when.until) = (HabitTime::Within(PartOfDay::Night), None);
+                if self.is_rare(2) {
+                    let until = self.clock().map(|at| at + 3600.0);
+                    (when.time, when.until) = (HabitTime::At(until.map(|at| at - 3600.0)), Some(until));
+                }
+                Effect::KeepsOn { thing }
+            }
             _ => Effect::DaysDiffer(factor),
         };
-        RoutineChange { said: Quote::default(), when: When { phase: self.phase(), ..When::default() }, effect }
+        RoutineChange { said: Quote::default(), when, effect }
     }
 }
 

@@ -17,10 +17,10 @@ use super::resident_routine::{DayParameters, ResidentRoutine};
 use super::rising::places_of_night;
 use super::script::{ActivitySetting, ActivityStep, Interruptible, STAYING_OVER, script};
 use super::tally::SentenceTally;
+use super::things::HeldThing;
 use super::watch::{WatchInput, Watches};
 use crate::routine::Activity;
 use homebody_core::drivers::{Driver, Next, Surroundings};
-use homebody_core::event::BodilyNeed;
 use homebody_core::home::Home;
 use homebody_core::ids::ResidentId;
 use homebody_core::motion::{MotionSegment, MotionState};
@@ -92,6 +92,8 @@ pub struct RoutineDriver {
     /// Waits in a row for people in the way.
     pub(super) pauses: u32,
     pub(super) sight: WatchInput,
+    /// Things that are kept on.
+    pub(super) held: Vec<HeldThing>,
 }
 
 impl RoutineDriver {
@@ -141,6 +143,7 @@ impl RoutineDriver {
             rank,
             pauses: 0,
             sight: WatchInput::default(),
+            held: Vec::new(),
             errands: Errands::new(),
             tally: SentenceTally::default(),
             was_errand: false,
@@ -159,6 +162,7 @@ impl RoutineDriver {
             home,
             life,
         };
+        driver.plan_turnings(RunTime::START);
         driver.tell_conditions();
         driver.needs.waking(RunTime::START, &driver.life, driver.agenda.day, &driver.parameters);
         if in_bed {
@@ -264,8 +268,9 @@ impl RoutineDriver {
 
     /// Continues the activity that the ended one interrupted.
     pub(super) fn end_script(&mut self, now: RunTime) {
-        let mut still = None;
+        let (mut still, mut is_meanwhile, mut passed) = (None, false, Span::ZERO);
         if let Some(over) = self.scripts.pop() {
+            (is_meanwhile, passed) = (over.is_meanwhile, now - over.since);
             still = over.answers.map(|rank| (rank, over.still)).filter(|(_, still)| !still.is_empty());
             self.watches.has_done(&over.label, now, &self.life);
             self.tally.end(over.of, now - over.since);
@@ -278,6 +283,9 @@ impl RoutineDriver {
             }
         }
         self.watches.leave_behind();
+        if is_meanwhile {
+            self.pass_meanwhile(passed);
+        }
         if let Some((rank, still)) = still {
             return self.go_on_answering(rank, still, now);
         }
@@ -420,14 +428,17 @@ impl RoutineDriver {
             let is_firm = item.has_its_time && !item.waits && item.visitor.is_none();
             playing.goes_with = item.follows.filter(|follows| follows.how == Following::With).map(|with| with.of);
             playing.undisturbed = if is_firm { now + UNDISTURBED } else { RunTime::MIN };
+            playing.is_meanwhile = item.is_meanwhile;
         }
+        self.begin_meanwhile(item, now);
     }
 
     /// Begins an activity on top of the current one.
     pub(super) fn begin(&mut self, item: &Item) {
-        let Item { key, activity, place, lasts, until, .. } = item;
+        let Item { key, activity, lasts, until, .. } = item;
         let guest = self.guest_of(item);
-        let place = place.as_deref().and_then(|place| self.places.named(place));
+        let place = self.place_of(item);
+        let place = place.as_ref();
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
         let mut forgotten = Vec::new();
         for (name, chance) in self.parameters.forgotten() {
@@ -437,8 +448,9 @@ impl RoutineDriver {
         }
         let left = forgotten.clone();
         let movement = self.parameters.activity(self.hour_now);
-        let mut setting =
-            ActivitySetting { places: &self.places, at: self.body.at(), stream: &mut stream, forgotten, movement };
+        let spared = self.parameters.spares.iter().filter_map(|name| self.places.thing_named(name)).collect();
+        let (places, at) = (&self.places, self.body.at());
+        let mut setting = ActivitySetting { places, at, stream: &mut stream, forgotten, spared, movement };
         let mut steps = match item.is_errand() {
             true => {
                 let is_mail = self.mail_hour.take_if(|hour| *hour <= self.hour_now).is_some();
@@ -455,6 +467,11 @@ impl RoutineDriver {
         };
         if let Some(first) = first {
             steps.push_front(ActivityStep::Go(first));
+        }
+        self.turn_on_meanwhile(item, &left, &mut steps);
+        if let Some(turning) = item.turns {
+            steps.truncate(1);
+            steps.extend(self.turning_steps(turning));
         }
         self.watches.forget(left);
         let walks = self.walks_for(item);
@@ -539,12 +556,6 @@ impl RoutineDriver {
     /// In hours.
     pub(super) fn hour(&self, now: RunTime) -> f64 {
         (now - self.midnight).rem_euclid(DAY).ratio(HOUR)
-    }
-
-    fn meet(&mut self, need: BodilyNeed, now: RunTime) {
-        let before = self.needs.meet(need, now);
-        self.ready.push_back(Next::Need(need, before));
-        self.ready.push_back(Next::Need(need, 0.0));
     }
 }
 

@@ -72,6 +72,7 @@ fn habit_key(habit: &Habit) -> String {
         text += &format!(" {}", falling.words());
         text += &falling.mostly.map_or_else(String::new, |part| format!(" mostly {}", part.word()));
     }
+    text += &habit.thing_on.as_ref().map(|thing| format!(" with {} on", thing.to_lowercase())).unwrap_or_default();
     text += &format!(" p {}", habit.when.chance.probability);
     if let Some((probability, by)) = habit.when.chance.becomes {
         text += &format!(" to {probability} by {}", moment_key(by));
@@ -174,6 +175,15 @@ fn change_key(change: &RoutineChange) -> String {
         Effect::SleepsIn => "sleeps in".to_owned(),
         Effect::Restless(by) => format!("restless {}", fuzzy_key(by)),
         Effect::Forgets { thing } => format!("forgets {} {chance}", thing.to_lowercase()),
+        Effect::KeepsOn { thing } => {
+            let until = change.when.until.as_ref().map(|until| format!(" until {}", fuzzy_key(until)));
+            let from = match &change.when.time {
+                HabitTime::At(from) => format!(" from {}", fuzzy_key(from)),
+                _ => " all night".to_owned(),
+            };
+            format!("keeps on {}{from}{} {chance}", thing.to_lowercase(), until.unwrap_or_default())
+        }
+        Effect::Spares { thing } => format!("spares {}", thing.to_lowercase()),
         Effect::Shy { of, gain } => format!("shy {of:?} {gain}").to_lowercase(),
         Effect::Pulse(by) => format!("pulse {}", fuzzy_key(by)),
         Effect::Respiration(by) => format!("respiration {}", fuzzy_key(by)),

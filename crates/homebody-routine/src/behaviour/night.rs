@@ -12,7 +12,7 @@ use super::script::{ActivityStep, Interruptible, StayStep};
 use crate::routine::Activity;
 use homebody_core::activity::SLEEPING;
 use homebody_core::drivers::Next;
-use homebody_core::event::Vitals;
+use homebody_core::event::{BodilyNeed, Vitals};
 use homebody_core::posture::Posture;
 use homebody_core::role::Role;
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
@@ -115,6 +115,12 @@ impl RoutineDriver {
         rising::late_by(&self.life, self.agenda.day, self.agenda.up, now).share(by)
     }
 
+    pub(super) fn meet(&mut self, need: BodilyNeed, now: RunTime) {
+        let before = self.needs.meet(need, now);
+        self.ready.push_back(Next::Need(need, before));
+        self.ready.push_back(Next::Need(need, 0.0));
+    }
+
     pub(super) fn lie_down(&mut self, now: RunTime) {
         self.needs.sleeping(now, &self.life, self.agenda.day, &self.parameters);
         self.put_out_the_lamp(now);
@@ -176,6 +182,7 @@ impl RoutineDriver {
         let mail = self.life.stream_of_day(day, "mail");
         self.mail_hour = (self.host.index() == 0).then(|| mail_hour(&mut { mail }, &self.life.numbers));
         self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
+        self.plan_turnings(now);
         self.tell_conditions();
         self.needs.waking(now, &self.life, day, &self.parameters);
         self.needs.wake(now);

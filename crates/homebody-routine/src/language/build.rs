@@ -238,6 +238,7 @@ impl Builder<'_> {
             let reason = "only a visitor comes with a key".to_owned();
             self.fault(key.span, SentenceMessage::DoesNotFit { text, reason });
         }
+        self.thing_meanwhile(&activity, is_visit, &parts);
         let nights = self.nights(&activity, &mut parts);
         let is_fall = activity == Activity::Fall;
         let falling = self.falling(&clause, &activity, &mut parts);
@@ -294,11 +295,23 @@ impl Builder<'_> {
                     nights,
                     is_total: parts.total.is_some(),
                 },
+                thing_on: parts.thing_on.as_ref().map(|slot| slot.value.clone()),
                 key: parts.key.is_some(),
                 does: Vec::new(),
                 falling,
             };
             self.built.habits.push((habit, clause.verb_span));
+        }
+    }
+
+    /// Something can be on during what the person does at home.
+    fn thing_meanwhile(&mut self, activity: &Activity, is_visit: bool, parts: &Parts) {
+        use Activity::{ComeHome, Fall, GetUp, GoToBed, Leave, Stumble};
+        let Some(slot) = &parts.thing_on else { return };
+        if is_visit || matches!(activity, ComeHome | Fall | GetUp | GoToBed | Leave | Stumble) {
+            let text = self.said(slot.span);
+            let reason = "a thing is on during what she does at home; write \"leaves the television on from 20:00 until 22:00\"";
+            self.fault(slot.span, SentenceMessage::DoesNotFit { text, reason: reason.to_owned() });
         }
     }
 

@@ -88,6 +88,7 @@ pub enum SlotKind {
     Measure,
     Fall,
     Visit,
+    Meanwhile,
 }
 
 macro_rules! parts {
@@ -152,6 +153,7 @@ parts! {
     for_days: f64, Phase, "both say for how long";
     nights: u32, Phase, "both say for how long";
     key: (), Visit, "both say how the visitor comes in";
+    thing_on: String, Meanwhile, "both say what is on meanwhile";
     over: f64, Phase, "both say over which time";
     fading: f64, Phase, "both say over which time";
     place: String, Place, "both say where";

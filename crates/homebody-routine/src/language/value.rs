@@ -89,6 +89,9 @@ pub enum Verb {
     Skips(Act),
     Shows(String, f64),
     Forgets(String),
+    /// A thing is on, all night or at the time of the sentence.
+    KeepsOn(String, bool),
+    Spares(String),
     Sleeps,
     Lively(DayKind, bool),
     Differ,

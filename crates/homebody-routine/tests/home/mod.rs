@@ -65,6 +65,9 @@ fn habit(habit: &Habit) -> String {
     if let Some(place) = &habit.place {
         text += &format!(" @{place}");
     }
+    if let Some(thing) = &habit.thing_on {
+        text += &format!(" with {thing} on");
+    }
     text += &chance(&habit.when.chance);
     text += &days(&habit.when.days);
     text += &when(&habit.when.time);
@@ -179,6 +182,12 @@ fn change(change: &RoutineChange) -> String {
         Effect::Irregular(by) => format!("Irregular {}", fuzzy(by)),
         Effect::Active { factor } => format!("Active{part} {}", fuzzy(factor)),
         Effect::Restless(by) => format!("Restless {}", fuzzy(by)),
+        Effect::KeepsOn { thing } => format!(
+            "KeepsOn {thing}{}{} {probability}",
+            when(&change.when.time),
+            change.when.until.as_ref().map(|until| format!(" until {}", fuzzy(until))).unwrap_or_default()
+        ),
+        Effect::Spares { thing } => format!("Spares {thing}"),
         Effect::Forgets { thing } => format!("Forgets {thing} {probability}"),
         Effect::Shy { of, gain } => format!("Shy {of:?} {gain}"),
         Effect::Pulse(by) => format!("Pulse {}", fuzzy(by)),

@@ -13,6 +13,7 @@ use crate::language::words::TextSpan;
 use crate::routine::{Activity, DayKind, FallEnds, Falling, FallsFrom, Meal, ResidentKind, Shy};
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::Fuzzy;
+use homebody_core::role::Role;
 
 pub fn named(name: &str) -> Option<Production> {
     Some(match name {
@@ -78,6 +79,9 @@ pub fn named(name: &str) -> Option<Production> {
                 .then_some(PhraseValue::Verb(Verb::Skips(act)))
         },
         "forgets" => |a| Some(PhraseValue::Verb(Verb::Forgets(a.name()?))),
+        "keeps_on" => |a| Some(PhraseValue::Verb(Verb::KeepsOn(a.name()?, a.has("night")))),
+        "spares" => |a| Some(PhraseValue::Verb(Verb::Spares(a.name()?))),
+        "uses_for" => |a| Some(PhraseValue::Verb(Verb::Does(Act { place: a.name(), ..a.act()? }))),
         "age" => |a| {
             let age = a.numbers()[0];
             if age <= 0.0 || age > 130.0 {
@@ -159,6 +163,11 @@ pub fn named(name: &str) -> Option<Production> {
         "place" => |a| {
             let name = a.name()?;
             parts(Parts { place: a.slot(name), ..Parts::default() })
+        },
+        "thing_on" => |a| parts(Parts { thing_on: a.slot(a.name()?), ..Parts::default() }),
+        "before_screen" => |a| {
+            let name = a.name().filter(|name| Role::Television.is_called(&name.to_lowercase()))?;
+            parts(Parts { thing_on: a.slot(name), ..Parts::default() })
         },
         "key" => |a| parts(Parts { key: a.slot(()), ..Parts::default() }),
         "floor" => |a| parts(Parts { floor: a.slot(()), ..Parts::default() }),
