@@ -34,6 +34,8 @@ mod fall;
 mod ways;
 mod lamps;
 mod things;
+mod wakings;
+mod weather;
 mod sight;
 mod visit;
 mod help;
@@ -55,6 +57,7 @@ pub(crate) fn numbers() -> Vec<Number> {
         spare_time::NUMBERS,
         chores::NUMBERS,
         night::NUMBERS,
+        wakings::NUMBERS,
         pet::NUMBERS,
     ];
     let own = modules.concat().into_iter().cloned();

@@ -327,7 +327,16 @@ fn which_days(days: &DaySelection) -> String {
     if let Some(kind) = days.kind {
         words += &format!(", if it is a {} one,", kind.word());
     }
+    words += &such_days(days).into_iter().map(|such| format!(", {such},")).collect::<String>();
     words
+}
+
+/// Days by weather, episode and the nights before.
+fn such_days(days: &DaySelection) -> Vec<String> {
+    let weather = days.weather.map(|weather| format!("in {} weather", weather.word()));
+    let episode = days.episode.map(|of| format!("for {} days about every {} days", of.lasts_days, of.every_days));
+    let poor = (days.poor_nights > 0).then(|| format!("poor nights before: {} or more", days.poor_nights));
+    [weather, episode, poor].into_iter().flatten().collect()
 }
 
 impl DayKind {
@@ -354,6 +363,7 @@ fn short_days(days: &DaySelection, chance: &HabitChance) -> String {
         named(days.months, &MONTHS).map(short).unwrap_or_default(),
         of_month,
         days.kind.map_or(String::new(), |kind| kind.word().to_owned()),
+        such_days(days).join(", "),
         every,
         format!("p {}{becomes}", number(chance.probability)),
     ];

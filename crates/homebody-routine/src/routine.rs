@@ -3,7 +3,7 @@
 //! It holds only what the text states; defaults, such as the length of a breakfast, come later.
 
 pub use activity::{Activity, Meal};
-pub use days::{DayKind, DaySelection, PartOfDay, Phase, PhaseDay};
+pub use days::{DayKind, DaySelection, Episode, PartOfDay, Phase, PhaseDay, Weather};
 pub use falling::{FallEnds, Falling, FallsFrom, USUAL_SHARE};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 use schemars::JsonSchema;
@@ -264,6 +264,8 @@ pub enum RuleTrigger {
     Between(f64, f64),
     /// The previous rule in the text has been answered.
     Follows,
+    /// The person wakes at night, whatever for.
+    Wakes,
 }
 
 impl RuleTrigger {

@@ -26,6 +26,7 @@ mod stage;
 mod stated_first;
 mod statements_page;
 mod streams;
+mod such_days;
 mod things;
 mod untrained_writers;
 mod visits;

@@ -32,7 +32,7 @@ impl Simulated {
     /// The share of an activity's time in which a thing is on.
     fn share_on(&self, activity: &str, thing: &str) -> f64 {
         let on = self.spans_on(thing);
-        let of = |time: Interval<RunTime>| on.iter().map(|on| on.intersection(time).length()).sum::<Span>();
+        let of = |time: Interval<RunTime>| on.iter().map(|on| on.intersection(time).length().max(Span::ZERO)).sum::<Span>();
         let all: Span = self.of(activity).map(|time| time.length()).sum();
         self.of(activity).map(of).sum::<Span>().ratio(all)
     }

@@ -18,6 +18,7 @@ use super::rising::places_of_night;
 use super::script::{ActivitySetting, ActivityStep, Interruptible, STAYING_OVER, script};
 use super::tally::SentenceTally;
 use super::things::HeldThing;
+use super::wakings::SleepRecord;
 use super::watch::{WatchInput, Watches};
 use crate::routine::Activity;
 use homebody_core::drivers::{Driver, Next, Surroundings};
@@ -94,6 +95,7 @@ pub struct RoutineDriver {
     pub(super) sight: WatchInput,
     /// Things that are kept on.
     pub(super) held: Vec<HeldThing>,
+    pub(super) nights: SleepRecord,
 }
 
 impl RoutineDriver {
@@ -144,6 +146,7 @@ impl RoutineDriver {
             pauses: 0,
             sight: WatchInput::default(),
             held: Vec::new(),
+            nights: SleepRecord::default(),
             errands: Errands::new(),
             tally: SentenceTally::default(),
             was_errand: false,
@@ -302,6 +305,7 @@ impl RoutineDriver {
                 if let Some(playing) = self.scripts.last_mut() {
                     playing.name.clone_from(&name);
                 }
+                self.note_sleep(&name, now);
                 self.name = name;
             }
             ActivityStep::Go(spot) => self.go(spot, now),

@@ -7,7 +7,7 @@
 //! file does.
 
 use crate::routine::{
-    Circumstance, DaySelection, Effect, Habit, HabitTime, Phase, PhaseDay, Response, Routine, RoutineChange,
+    Circumstance, DaySelection, Effect, Episode, Habit, HabitTime, Phase, PhaseDay, Response, Routine, RoutineChange,
     RoutineRule, RuleTrigger,
 };
 use homebody_core::fuzzy::Fuzzy;
@@ -80,16 +80,7 @@ fn habit_key(habit: &Habit) -> String {
     if let Some(days) = habit.when.chance.days_a_week {
         text += &format!(" on {days} a week");
     }
-    let DaySelection { weekdays, months, every, of_month, kind } = habit.when.days;
-    if habit.when.days != DaySelection::ALL {
-        text += &format!(" days {weekdays:07b} {months:012b} {every}");
-    }
-    if of_month != DaySelection::ALL.of_month {
-        text += &format!(" {} to {} of the month", of_month.0, of_month.1);
-    }
-    if let Some(kind) = kind {
-        text += &format!(" on {} days", kind.word());
-    }
+    text += &days_key(&habit.when.days);
     text += &match &habit.when.time {
         HabitTime::AnyTime => String::new(),
         HabitTime::At(time) => format!(" from {}", fuzzy_key(time)),
@@ -109,6 +100,31 @@ fn habit_key(habit: &Habit) -> String {
         text += " in all";
     }
     text + phase_key(&habit.when.phase).as_str()
+}
+
+fn days_key(days: &DaySelection) -> String {
+    let DaySelection { weekdays, months, every, of_month, kind, weather, episode, poor_nights } = *days;
+    let mut text = String::new();
+    let by_calendar = DaySelection { weekdays, months, every, of_month, kind, ..DaySelection::ALL };
+    if by_calendar != DaySelection::ALL {
+        text += &format!(" days {weekdays:07b} {months:012b} {every}");
+    }
+    if of_month != DaySelection::ALL.of_month {
+        text += &format!(" {} to {} of the month", of_month.0, of_month.1);
+    }
+    if let Some(kind) = kind {
+        text += &format!(" on {} days", kind.word());
+    }
+    if let Some(weather) = weather {
+        text += &format!(" in {} weather", weather.word());
+    }
+    if let Some(Episode { every_days, lasts_days }) = episode {
+        text += &format!(" in episodes {every_days} {lasts_days}");
+    }
+    if poor_nights > 0 {
+        text += &format!(" after {poor_nights} poor nights");
+    }
+    text
 }
 
 fn rule_key(rule: &RoutineRule) -> String {
@@ -142,6 +158,7 @@ fn trigger_key(trigger: &RuleTrigger) -> String {
         RuleTrigger::Done(activity) => format!("done {}", activity.label()),
         RuleTrigger::Between(from, to) => format!("between {from} {to}"),
         RuleTrigger::Follows => "follows".to_owned(),
+        RuleTrigger::Wakes => "wakes".to_owned(),
     }
 }
 

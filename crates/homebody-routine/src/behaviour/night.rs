@@ -134,6 +134,7 @@ impl RoutineDriver {
     }
 
     pub(super) fn wake(&mut self, now: RunTime) {
+        self.end_night(now);
         self.begin_day(now);
         let day = self.agenda.day;
         // On top of the night, which ends here.
@@ -169,6 +170,7 @@ impl RoutineDriver {
         self.parameters = self.life.parameters(day);
         self.parameters.slept_in = if day == self.agenda.day + 1 { self.slept_in } else { Span::ZERO };
         self.agenda = Agenda::new(&self.life, day, &self.parameters);
+        self.leave_out_after_good_nights();
         self.places = rising::places_of_night(&self.usual_places, self.agenda.sleeps_at.as_deref());
         self.midnight = self.life.midnight(day);
         self.next_item = if was_away { self.agenda.items.partition_point(|item| item.start < now) } else { 0 };

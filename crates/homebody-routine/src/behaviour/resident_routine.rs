@@ -266,6 +266,11 @@ impl ResidentRoutine {
         Stream::named(self.seed, &format!("resident/{}/{purpose}", self.name))
     }
 
+    /// The same for all residents.
+    pub(super) fn stream_of_home(&self, purpose: &str) -> Stream {
+        Stream::named(self.seed, purpose)
+    }
+
     pub fn stream_of_day(&self, day: i32, purpose: &str) -> Stream {
         self.stream(&format!("day/{day}/{purpose}"))
     }
@@ -372,6 +377,7 @@ impl ResidentRoutine {
                 (first, last) => (first..=last).contains(&day_of_month),
             }
             && days.kind.is_none_or(|kind| self.is_of_kind(kind, day))
+            && self.is_such_a_day(days, day)
     }
 
     /// The probability on a day that the habit applies to.

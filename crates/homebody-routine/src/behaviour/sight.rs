@@ -57,7 +57,7 @@ impl RoutineDriver {
                 if from <= to { (*from..*to).contains(&time_s) } else { time_s >= *from || time_s < *to }
             }
             // Away from home, no rule is answered.
-            RuleTrigger::Away | RuleTrigger::Done(_) | RuleTrigger::Follows => false,
+            RuleTrigger::Away | RuleTrigger::Done(_) | RuleTrigger::Follows | RuleTrigger::Wakes => false,
         }
     }
 

@@ -45,6 +45,11 @@ impl Builder<'_> {
         if let Some(heading) = self.context.heading {
             clause.parts = std::mem::take(&mut clause.parts).under(heading);
         }
+        let is_stay =
+            matches!(&clause.verb, Verb::Does(act) if act.activity == Activity::Leave) || clause.verb == Verb::Visits;
+        if !is_stay {
+            clause.parts = std::mem::take(&mut clause.parts).with_episode();
+        }
         if let Some(slot) = &clause.parts.follows {
             let (span, text) = (slot.span, self.said(slot.span));
             let help = "write from which day, such as \"from day 30\"".to_owned();
@@ -239,6 +244,13 @@ impl Builder<'_> {
             self.fault(key.span, SentenceMessage::DoesNotFit { text, reason });
         }
         self.thing_meanwhile(&activity, is_visit, &parts);
+        if let Some(slot) =
+            parts.poor_nights.as_ref().filter(|_| matches!(activity, Activity::GetUp | Activity::GoToBed))
+        {
+            let text = self.said(slot.span);
+            let reason = "the times of rising and going to bed do not depend on the night before".to_owned();
+            self.fault(slot.span, SentenceMessage::DoesNotFit { text, reason });
+        }
         let nights = self.nights(&activity, &mut parts);
         let is_fall = activity == Activity::Fall;
         let falling = self.falling(&clause, &activity, &mut parts);

@@ -5,7 +5,7 @@ use super::amounts::{ABOUT_SHARE, DAY_S, PLAIN_SHARE};
 use super::calendar::LAST_WEEK;
 use super::times::{ABOUT_TIME_S, PLAIN_TIME_S};
 use crate::routine::{
-    Activity, Circumstance, DaySelection, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
+    Activity, Circumstance, DaySelection, Episode, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
     PartOfDay, Phase, PhaseDay, ResidentKind, Response, RoutineChange, RoutinePerson, RoutineRule, RuleTrigger, When,
 };
 use effects::effect_words;
@@ -167,6 +167,16 @@ fn days_words(days: &DaySelection) -> Vec<String> {
         words.push(format!("in {}", names(days.months, &MONTHS)));
     }
     words.extend(days.kind.map(|kind| format!("on {} days", kind.word())));
+    words.extend(days.weather.map(|weather| format!("on {} days", weather.word())));
+    words.extend(match days.poor_nights {
+        0 => None,
+        1 => Some("after a poor night".to_owned()),
+        nights => Some(format!("after {nights} poor nights in a row")),
+    });
+    if let Some(Episode { every_days, lasts_days }) = days.episode {
+        let lasts = if lasts_days == 1 { "1 day".to_owned() } else { format!("{lasts_days} days") };
+        words.extend([format!("about every {every_days} days"), format!("for {lasts}")]);
+    }
     words
 }
 
@@ -377,6 +387,7 @@ fn event(trigger: &RuleTrigger, lasts: bool) -> String {
             format!("it is {}", clock(&Fuzzy::around(*from, PLAIN_TIME_S), "at"))
         }
         RuleTrigger::Follows => "she does so".to_owned(),
+        RuleTrigger::Wakes => "she wakes at night".to_owned(),
         state => so(state, true),
     }
 }
@@ -408,6 +419,7 @@ fn so(state: &RuleTrigger, holds: bool) -> String {
             }
         }
         RuleTrigger::Follows => "she does so".to_owned(),
+        RuleTrigger::Wakes => "she wakes at night".to_owned(),
     }
 }
 

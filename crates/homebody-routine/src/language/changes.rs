@@ -35,6 +35,11 @@ pub fn change(builder: &mut Builder, clause: &Clause) {
     if let (Effect::DaysAre { .. }, Some(kind)) = (&effect, &clause.parts.kind) {
         return builder.fault(kind.span, SentenceMessage::WhichDays);
     }
+    if let Some(nights) = &clause.parts.poor_nights {
+        let text = builder.said(nights.span);
+        let reason = "an activity may follow a poor night, and a change may not".to_owned();
+        return builder.fault(nights.span, SentenceMessage::DoesNotFit { text, reason });
+    }
     let part = clause.parts.part.as_ref().and_then(|slot| slot.value.first()).copied();
     let (time, until) = match effect {
         Effect::Oftener { .. } | Effect::Active { .. } => (part.map_or(HabitTime::AnyTime, HabitTime::Within), None),

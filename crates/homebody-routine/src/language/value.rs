@@ -4,6 +4,7 @@ use super::parts::{Chance, ClockTime, Measure, Parts, TimeOfDay};
 use super::words::TextSpan;
 use crate::routine::{
     Activity, Circumstance, DayKind, Falling, Lapse, PartOfDay, PhaseDay, ResidentKind, Response, RuleTrigger, Shy,
+    Weather,
 };
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::Fuzzy;
@@ -22,6 +23,7 @@ pub enum PhraseValue {
     PartOfDay(Vec<PartOfDay>),
     Chance(Chance),
     DayKind(DayKind),
+    Weather(Weather),
     /// "Sundays", "winter mornings": which days, and which part of them.
     DayNoun(Option<u8>, Option<PartOfDay>),
     Parts(Box<Parts>),

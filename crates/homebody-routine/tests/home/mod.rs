@@ -121,6 +121,15 @@ fn days(days: &DaySelection) -> String {
     if days.every != 1 {
         text += &format!(" every {}", days.every);
     }
+    if let Some(weather) = days.weather {
+        text += &format!(" {weather:?}");
+    }
+    if let Some(episode) = days.episode {
+        text += &format!(" for {} days every {}", episode.lasts_days, episode.every_days);
+    }
+    if days.poor_nights > 0 {
+        text += &format!(" after {} poor nights", days.poor_nights);
+    }
     text
 }
 

@@ -59,7 +59,7 @@ pub(super) fn effect_words(change: &RoutineChange) -> String {
 /// From when to when a thing is on.
 fn keeping_words(when: &When) -> String {
     match (&when.time, &when.until) {
-        (HabitTime::At(from), Some(until)) => format!(" from {} until {}", clock(from, "until"), clock(until, "until")),
+        (HabitTime::At(from), Some(until)) => format!(" at {} until {}", clock(from, "at"), clock(until, "until")),
         _ => " all night".to_owned(),
     }
 }

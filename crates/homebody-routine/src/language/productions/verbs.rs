@@ -164,7 +164,7 @@ pub fn named(name: &str) -> Option<Production> {
             let name = a.name()?;
             parts(Parts { place: a.slot(name), ..Parts::default() })
         },
-        "thing_on" => |a| parts(Parts { thing_on: a.slot(a.name()?), ..Parts::default() }),
+        "meanwhile_on" => |a| parts(Parts { thing_on: a.slot(a.name()?), ..Parts::default() }),
         "before_screen" => |a| {
             let name = a.name().filter(|name| Role::Television.is_called(&name.to_lowercase()))?;
             parts(Parts { thing_on: a.slot(name), ..Parts::default() })
