@@ -35,6 +35,7 @@ mod ways;
 mod lamps;
 mod things;
 mod wakings;
+mod range;
 mod weather;
 mod sight;
 mod visit;

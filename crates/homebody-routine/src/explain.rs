@@ -182,7 +182,8 @@ fn person_words(person: &RoutinePerson) -> String {
         ResidentKind::Person => None,
     };
     let pace = person.pace_mps.map(|pace| format!("walks at {} m/s", numbers(pace.low, pace.high)));
-    join([age, kind, pace].into_iter().flatten(), ", ")
+    let rests = person.rests.map(|rests| format!("rests after {} m", number(rests.after_m)));
+    join([age, kind, pace, rests].into_iter().flatten(), ", ")
 }
 
 fn habit_cells(row: &mut ExplanationRow, habit: &Habit) {
@@ -266,6 +267,12 @@ fn effect_words(change: &RoutineChange) -> String {
             }
             _ => format!("{thing}: on or open all night"),
         },
+        Effect::Range { place, inside } => {
+            format!(
+                "{} the {place} with probability {chance}",
+                if *inside { "does not leave" } else { "does not enter" }
+            )
+        }
         Effect::Spares { thing } => format!("{thing}: not used"),
         Effect::Shy { of: Shy::OpenFloor, gain } => {
             format!("wandering: keeps close to the walls, gain {}", number(*gain))

@@ -42,11 +42,25 @@ pub struct RoutinePerson {
     pub age_years: Option<f64>,
     /// Usual walking speed in metres a second.
     pub pace_mps: Option<Fuzzy>,
+    /// Rests on the way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rests: Option<WalkRests>,
     /// The sentences with age and pace.
     #[serde(skip)]
     pub age_said: Option<Quote>,
     #[serde(skip)]
     pub pace_said: Option<Quote>,
+}
+
+/// Rests of a person who cannot walk far at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WalkRests {
+    /// The longest stretch without a rest, in metres.
+    pub after_m: f64,
+    /// Length of a rest in seconds.
+    #[serde(rename = "lasts_s")]
+    pub lasts: Fuzzy,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -347,6 +361,8 @@ pub enum Effect {
     Forgets { thing: String },
     /// A thing is turned on or opened at the stated time, and off or closed at its end; all night if it is of the night.
     KeepsOn { thing: String },
+    /// A room or a floor that the person does not leave, or does not enter, with the stated chance.
+    Range { place: String, inside: bool },
     /// A thing is not used.
     Spares { thing: String },
     /// Beats per minute added.

@@ -17,6 +17,7 @@ mod lexicon;
 mod mutations;
 mod own_days;
 mod page;
+mod range;
 mod reach;
 mod random_statements;
 mod residents;

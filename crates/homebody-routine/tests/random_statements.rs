@@ -169,7 +169,7 @@ impl Draw {
             when.phase = Phase::default();
         }
         let thing = self.one(&["stove", "television", "lamp"]).to_owned();
-        let effect = match self.0.below(11) {
+        let effect = match self.0.below(12) {
             0 => Effect::Later { activity, by },
             1 => Effect::LongerBy { activity, by },
             2 => Effect::Longer { activity, factor },
@@ -179,6 +179,7 @@ impl Draw {
             6 => Effect::Active { factor },
             7 => Effect::Restless(factor),
             8 => Effect::Spares { thing },
+            10 => Effect::Range { place: self.one(&["kitchen", "upper floor"]).to_owned(), inside: self.is_rare(2) },
             9 => {
                 (when.time, when.until) = (HabitTime::Within(PartOfDay::Night), None);
                 if self.is_rare(2) {

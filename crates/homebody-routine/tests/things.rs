@@ -7,7 +7,8 @@ use homebody_core::motion::MotionState;
 use homebody_core::time::{DAY, Interval, MINUTE, RunTime, Span};
 use homebody_routine::routine::{Habit, Routine};
 
-const ALONE: &str = "Margaret is 82.\nShe gets up at 07:00. She goes to bed at 22:30. She does not go out. She does not nap.\n";
+const ALONE: &str =
+    "Margaret is 82.\nShe gets up at 07:00. She goes to bed at 22:30. She does not go out. She does not nap.\n";
 
 impl Simulated {
     /// The spans in which a thing is on or open.
@@ -32,7 +33,8 @@ impl Simulated {
     /// The share of an activity's time in which a thing is on.
     fn share_on(&self, activity: &str, thing: &str) -> f64 {
         let on = self.spans_on(thing);
-        let of = |time: Interval<RunTime>| on.iter().map(|on| on.intersection(time).length().max(Span::ZERO)).sum::<Span>();
+        let of =
+            |time: Interval<RunTime>| on.iter().map(|on| on.intersection(time).length().max(Span::ZERO)).sum::<Span>();
         let all: Span = self.of(activity).map(|time| time.length()).sum();
         self.of(activity).map(of).sum::<Span>().ratio(all)
     }
@@ -57,7 +59,8 @@ fn without_thing(routine: &mut Routine) {
 
 #[test]
 fn the_television_is_on_while_she_knits_and_off_afterwards() {
-    let text = format!("{ALONE}She never watches television. She knits at 15:00 for 60 minutes with the television on.");
+    let text =
+        format!("{ALONE}She never watches television. She knits at 15:00 for 60 minutes with the television on.");
     let lives = Simulated::new(&text, 20);
     assert!(lives.firsts("handicraft").len() >= 18, "{:?}", lives.firsts("handicraft").len());
     assert!(lives.share_on("handicraft", "TV bench") > 0.95, "{}", lives.share_on("handicraft", "TV bench"));
@@ -153,7 +156,8 @@ fn a_thing_that_she_never_uses_is_off_on_those_days() {
 fn a_meal_is_made_with_the_stated_appliance() {
     let microwave = |routine: &str| {
         let mut files = files(&format!("{ALONE}{routine}"), &[]);
-        let piece = r#""furniture": [ { "name": "microwave", "at": [9.0, 2.3], "size_m": [0.4, 0.3], "height_m": 1.2 },"#;
+        let piece =
+            r#""furniture": [ { "name": "microwave", "at": [9.0, 2.3], "size_m": [0.4, 0.3], "height_m": 1.2 },"#;
         let home = files["home.json"].replace("\"furniture\": [", piece);
         files.insert("home.json".into(), home);
         let lives = Simulated::of_files(files, 20, |_| {});

@@ -28,7 +28,7 @@ use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::posture::Posture;
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
-use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, SECOND, Span};
+use homebody_core::time::{MINUTE, RunTime, SECOND, Span};
 use homebody_walk::Wanderers;
 use std::any::Any;
 use std::collections::{BTreeMap, VecDeque};
@@ -96,6 +96,8 @@ pub struct RoutineDriver {
     /// Things that are kept on.
     pub(super) held: Vec<HeldThing>,
     pub(super) nights: SleepRecord,
+    /// Since the last rest.
+    pub(super) walked_m: f64,
 }
 
 impl RoutineDriver {
@@ -147,6 +149,7 @@ impl RoutineDriver {
             sight: WatchInput::default(),
             held: Vec::new(),
             nights: SleepRecord::default(),
+            walked_m: 0.0,
             errands: Errands::new(),
             tally: SentenceTally::default(),
             was_errand: false,
@@ -165,6 +168,7 @@ impl RoutineDriver {
             home,
             life,
         };
+        driver.keep_to_range();
         driver.plan_turnings(RunTime::START);
         driver.tell_conditions();
         driver.needs.waking(RunTime::START, &driver.life, driver.agenda.day, &driver.parameters);
@@ -188,6 +192,7 @@ impl RoutineDriver {
         (driver.scripts, driver.ready, driver.visitor) = (Vec::new(), VecDeque::new(), Some(name.into()));
         // The host's rules and conditions do not apply to visitors.
         (driver.watches, driver.parameters) = (Watches::none(), DayParameters::ordinary());
+        driver.places = driver.usual_places.clone();
         driver
     }
 
@@ -406,6 +411,7 @@ impl RoutineDriver {
         };
         playing.stirs = !playing.stirs;
         stay.left -= until - now;
+        self.walked_m = 0.0;
         self.ready.push_back(Next::Segment(MotionSegment { begin: now, end: until, doing, posture: stay.posture }));
     }
 
@@ -555,11 +561,6 @@ impl RoutineDriver {
             Some(item) => self.fill(item.start.min(self.agenda.bed), now),
             None => self.fill(self.agenda.bed, now),
         }
-    }
-
-    /// In hours.
-    pub(super) fn hour(&self, now: RunTime) -> f64 {
-        (now - self.midnight).rem_euclid(DAY).ratio(HOUR)
     }
 }
 

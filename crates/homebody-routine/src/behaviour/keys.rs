@@ -200,6 +200,9 @@ fn change_key(change: &RoutineChange) -> String {
             };
             format!("keeps on {}{from}{} {chance}", thing.to_lowercase(), until.unwrap_or_default())
         }
+        Effect::Range { place, inside } => {
+            format!("{} {} {chance}", if *inside { "keeps to" } else { "avoids" }, place.to_lowercase())
+        }
         Effect::Spares { thing } => format!("spares {}", thing.to_lowercase()),
         Effect::Shy { of, gain } => format!("shy {of:?} {gain}").to_lowercase(),
         Effect::Pulse(by) => format!("pulse {}", fuzzy_key(by)),

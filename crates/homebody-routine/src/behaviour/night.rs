@@ -172,6 +172,7 @@ impl RoutineDriver {
         self.agenda = Agenda::new(&self.life, day, &self.parameters);
         self.leave_out_after_good_nights();
         self.places = rising::places_of_night(&self.usual_places, self.agenda.sleeps_at.as_deref());
+        self.keep_to_range();
         self.midnight = self.life.midnight(day);
         self.next_item = if was_away { self.agenda.items.partition_point(|item| item.start < now) } else { 0 };
         self.first_item = self.next_item;

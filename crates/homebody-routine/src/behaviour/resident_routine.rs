@@ -12,7 +12,7 @@ use super::traits::{Constitution, MemberDifference};
 use crate::language::LAST_WEEK;
 use crate::routine::{
     Activity, DayKind, DaySelection, Effect, Habit, HabitChance, Meal, Phase, PhaseDay, Quote, Routine, RoutineChange,
-    RoutineRule,
+    RoutineRule, WalkRests,
 };
 use homebody_core::calendar::Calendar;
 use homebody_core::fuzzy::Quantifier;
@@ -32,6 +32,8 @@ pub struct ResidentRoutine {
     /// The stated pace; if exact, it does not vary between people.
     written_mps: f64,
     has_exact_pace: bool,
+    /// Rests on the way.
+    pub rests: Option<WalkRests>,
     /// Whether it varies around the routine, as a member of a cohort.
     is_one_of_many: bool,
     seed: u64,
@@ -117,6 +119,7 @@ impl ResidentRoutine {
             calendar: calendar.clone(),
             pace_mps: written_mps,
             written_mps,
+            rests: routine.person.as_ref().and_then(|person| person.rests),
             has_exact_pace: pace.is_some_and(|pace| pace.low >= pace.high),
             is_one_of_many,
             seed,

@@ -35,7 +35,7 @@ pub(super) struct HeldThing {
 }
 
 impl RoutineDriver {
-    /// The stated place, or the one where it is done meanwhile, or a seat from which the thing that is on can be seen.
+    /// The stated place, or that of the activity meanwhile, or a seat within sight of the thing that is on.
     pub(super) fn place_of(&self, item: &Item) -> Option<HomePlace> {
         let stated = item.place.as_deref().and_then(|place| self.places.named(place));
         let seated = item.activity.roles().first().filter(|role| matches!(role, Role::Armchair | Role::DiningSeat));
@@ -84,7 +84,7 @@ impl RoutineDriver {
         at.map(ActivityStep::Go).into_iter().chain(turns).chain([moment]).collect()
     }
 
-    /// On or open if true, else off or closed. What is kept on stays on.
+    /// On or open if true, else off or closed. A thing that is kept on stays on.
     pub(super) fn act(&mut self, thing: u32, on: bool, at: RunTime) {
         if !on && self.held.iter().any(|held| held.thing == thing) {
             return;
@@ -141,7 +141,7 @@ impl RoutineDriver {
         self.agenda.breaks.insert(at, item);
     }
 
-    /// What is done while the activity that begins lasts comes soon.
+    /// Plans the activities that are done while this one lasts.
     pub(super) fn begin_meanwhile(&mut self, item: &Item, now: RunTime) {
         let Some(of) = item.of.filter(|_| item.activity.leaves_hands_free()) else { return };
         let with = Some(Follows { of, how: Following::Meanwhile });
@@ -153,7 +153,14 @@ impl RoutineDriver {
             let is_whole = !is_stated && other.activity.gives_way_to_meals();
             let lasts = if is_whole { most } else { other.lasts.min(most) }.max(MINUTE);
             let start = now + SETTLED;
-            self.add_break(Item { start, latest: now + most.max(SETTLED), lasts, follows: None, is_meanwhile: true, ..other });
+            self.add_break(Item {
+                start,
+                latest: now + most.max(SETTLED),
+                lasts,
+                follows: None,
+                is_meanwhile: true,
+                ..other
+            });
         }
     }
 

@@ -136,7 +136,8 @@ impl RoutineDriver {
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{}/door", item.key));
         let places = self.places.clone();
         let (at, forgotten, spared) = (self.body.at(), Vec::new(), Vec::new());
-        let mut setting = ActivitySetting { places: &places, at, stream: &mut stream, forgotten, spared, movement: 1.0 };
+        let mut setting =
+            ActivitySetting { places: &places, at, stream: &mut stream, forgotten, spared, movement: 1.0 };
         let steps = self.next_to_door(script::let_in(&mut setting));
         self.play(steps, stream, Activity::Visit.label());
         if let Some(playing) = self.scripts.last_mut() {

@@ -6,7 +6,7 @@ use homebody_core::activity::SLEEPING;
 use homebody_core::time::{MINUTE, RunTime, Span};
 
 homebody_core::numbers! {
-    /// Time awake in a night after falling asleep, as a multiple of a person's usual one, from which on the night is poor.
+    /// Least time awake in a poor night after falling asleep, as a multiple of a person's usual one.
     static POOR_NIGHT = "night.poor": 1.5, "1", [1.0, 10.0];
 }
 
@@ -39,7 +39,7 @@ impl RoutineDriver {
             }
             (false, None) if self.name == SLEEPING => {
                 self.nights.awake_since = Some(now);
-                // Nobody does something else on the way to the toilet, and an answer is no waking.
+                // A need comes first, and an answer of a rule does not wake the person again.
                 let lies = self.scripts.len() == 1;
                 self.nights.is_open = !lies && self.scripts.iter().all(|playing| playing.answers.is_none());
                 if lies {

@@ -3,10 +3,11 @@ use super::item::Item;
 use super::manner::Manner;
 use super::places::HomePlace;
 use super::script::{ActivityStep, Interruptible, StayStep};
-use crate::routine::Activity;
+use crate::routine::{Activity, WalkRests};
 use homebody_core::drivers::Next;
 use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::posture::Posture;
+use homebody_core::random::Stream;
 use homebody_core::time::{RunTime, SECOND, Span};
 use std::collections::VecDeque;
 
@@ -20,6 +21,33 @@ fn metres(segment: &MotionSegment) -> f64 {
         MotionState::Stride { from, to } => from.distance(to),
         _ => 0.0,
     }
+}
+
+/// A way with a rest after each stretch of the longest length, of which some metres may have been walked before.
+fn with_rests(
+    moves: Vec<MotionSegment>,
+    rests: WalkRests,
+    walked_m: &mut f64,
+    stream: &mut Stream,
+) -> Vec<MotionSegment> {
+    let (mut delay, mut all) = (Span::ZERO, Vec::new());
+    for segment in moves {
+        let MotionState::Stride { from, .. } = segment.doing else {
+            *walked_m = 0.0;
+            all.push(MotionSegment { begin: segment.begin + delay, end: segment.end + delay, ..segment });
+            continue;
+        };
+        if *walked_m > 0.0 && *walked_m + metres(&segment) > rests.after_m {
+            let begin = segment.begin + delay;
+            let lasts = Span::from_seconds(rests.lasts.draw(stream)).max(SECOND);
+            let (doing, posture) = (MotionState::Rest { at: from }, Posture::Standing);
+            all.push(MotionSegment { begin, end: begin + lasts, doing, posture });
+            (*walked_m, delay) = (0.0, delay + lasts);
+        }
+        *walked_m += metres(&segment);
+        all.push(MotionSegment { begin: segment.begin + delay, end: segment.end + delay, ..segment });
+    }
+    all
 }
 
 impl RoutineDriver {
@@ -50,6 +78,10 @@ impl RoutineDriver {
         let from = self.body.room();
         let Some(moves) = self.body.go(&spot, now, hour, self.parameters.pace, &mut playing.stream) else {
             return self.give_up(false, now);
+        };
+        let moves = match self.life.rests {
+            Some(rests) if self.visitor.is_none() => with_rests(moves, rests, &mut self.walked_m, &mut playing.stream),
+            _ => moves,
         };
         playing.spot = Some(spot.clone());
         let metres: f64 = moves.iter().map(metres).sum();

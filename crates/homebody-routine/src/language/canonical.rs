@@ -22,7 +22,10 @@ pub fn person_sentences(person: &RoutinePerson) -> Vec<String> {
     };
     let age = person.age_years.map(|age| format!("{name} is {} years old.", number(age)));
     let pace = person.pace_mps.map(|pace| format!("{name} walks at {}.", amount(&pace, 1.0, "m/s", 0.0, 0.1)));
-    [kind, age, pace].into_iter().flatten().collect()
+    let rests = person.rests.map(|rests| {
+        format!("{name} rests after {} m for {}.", number(rests.after_m), duration(&rests.lasts).trim_end_matches(','))
+    });
+    [kind, age, pace, rests].into_iter().flatten().collect()
 }
 
 pub fn habit_sentence(habit: &Habit) -> String {

@@ -48,7 +48,9 @@ pub fn change(builder: &mut Builder, clause: &Clause) {
     };
     let chance = match effect {
         Effect::DaysAre { .. } => days_chance(clause),
-        Effect::Skips { .. } | Effect::Forgets { .. } | Effect::KeepsOn { .. } if chance(clause).is_some() => {
+        Effect::Skips { .. } | Effect::Forgets { .. } | Effect::KeepsOn { .. } | Effect::Range { .. }
+            if chance(clause).is_some() =>
+        {
             clause.parts.chance.as_ref().map_or(HabitChance::ALWAYS, |slot| slot.value.chance)
         }
         _ => HabitChance::ALWAYS,
@@ -120,6 +122,9 @@ fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [S
         (Verb::Forgets(thing), None) if clause.parts.says_time() => {
             (Effect::KeepsOn { thing: thing.clone() }, OF_THING)
         }
+        (Verb::Range(place, inside), None) => {
+            (Effect::Range { place: place.clone(), inside: *inside }, PHASE_AND_CHANCE)
+        }
         (Verb::Spares(thing), None) => (Effect::Spares { thing: thing.clone() }, PHASE),
         (Verb::Forgets(thing), None) => {
             needed_chance(builder, clause, format!("she forgets the {thing} on 5 % of occasions"))?;
@@ -145,7 +150,8 @@ fn keeping(builder: &mut Builder, clause: &Clause) -> (HabitTime, Option<Fuzzy>)
         _ => {
             let (text, help) = (
                 builder.said(clause.verb_span),
-                "write \"from 20:00 until 22:00\", \"all night\", or how often she forgets it, \"on 5 % of occasions\"".to_owned(),
+                "write \"from 20:00 until 22:00\", \"all night\", or how often she forgets it, \"on 5 % of occasions\""
+                    .to_owned(),
             );
             builder.fault(clause.verb_span, SentenceMessage::OpenChange { text, help });
         }

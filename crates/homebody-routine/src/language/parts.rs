@@ -198,8 +198,8 @@ impl Parts {
         let says_days = self.says_weekdays();
         self.fill(other, false, |name| match name {
             "chance" | "becomes" | "weekdays" | "every" | "of_month" => !says_days,
-            "except_days" | "months" | "except_months" | "kind" | "weather" | "episode" | "poor_nights" | "from" | "until_day" | "for_days" | "nights"
-            | "over" | "fading" => true,
+            "except_days" | "months" | "except_months" | "kind" | "weather" | "episode" | "poor_nights" | "from"
+            | "until_day" | "for_days" | "nights" | "over" | "fading" => true,
             _ => false,
         });
         self

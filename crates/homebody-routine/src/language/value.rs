@@ -80,6 +80,8 @@ pub enum Verb {
     Is,
     Walks,
     Pace(Fuzzy),
+    /// After so many metres.
+    Rests(f64),
     Does(Act),
     /// "Eats", of the meal that was prepared.
     Eats,
@@ -94,6 +96,8 @@ pub enum Verb {
     /// A thing is on, all night or at the time of the sentence.
     KeepsOn(String, bool),
     Spares(String),
+    /// Keeps to a room or floor if true, else avoids it.
+    Range(String, bool),
     Sleeps,
     Lively(DayKind, bool),
     Differ,

@@ -20,6 +20,7 @@ pub fn home() -> KnownNames {
             "stove, fridge, front door, bedroom door, television, lamp, washing machine, armchair, bed, sofa, door bell, telephone",
         ),
         rooms: list("bedroom, bathroom, kitchen, living room, hall"),
+        floors: list("ground floor, upper floor"),
         conditions: list("depression, heart-failure, urinary-tract-infection, cognitive-decline"),
         first_date: Some((2009, 3, 2)),
         ..KnownNames::default()
@@ -43,7 +44,8 @@ pub fn short(routine: &Routine) -> String {
     let person = routine.person.as_ref().map(|person| {
         let age = person.age_years.map(|age| format!(" age {age}")).unwrap_or_default();
         let pace = person.pace_mps.map(|pace| format!(" pace {}", fuzzy(&pace))).unwrap_or_default();
-        format!("{} {:?}{age}{pace}", person.name, person.kind)
+        let rests = person.rests.map(|rests| format!(" rests {} m {}", rests.after_m, fuzzy(&rests.lasts)));
+        format!("{} {:?}{age}{pace}{}", person.name, person.kind, rests.unwrap_or_default())
     });
     let habits = routine.habits.iter().map(habit);
     let parts = person.into_iter().chain(habits).chain(routine.rules.iter().map(rule));
@@ -196,6 +198,7 @@ fn change(change: &RoutineChange) -> String {
             when(&change.when.time),
             change.when.until.as_ref().map(|until| format!(" until {}", fuzzy(until))).unwrap_or_default()
         ),
+        Effect::Range { place, inside } => format!("Range {place} {inside} {probability}"),
         Effect::Spares { thing } => format!("Spares {thing}"),
         Effect::Forgets { thing } => format!("Forgets {thing} {probability}"),
         Effect::Shy { of, gain } => format!("Shy {of:?} {gain}"),

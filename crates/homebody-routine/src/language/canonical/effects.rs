@@ -41,6 +41,8 @@ pub(super) fn effect_words(change: &RoutineChange) -> String {
         }
         Effect::Forgets { thing } => format!("she forgets the {thing}"),
         Effect::KeepsOn { thing } => format!("she leaves the {thing} on{}", keeping_words(&change.when)),
+        Effect::Range { place, inside: true } => format!("she keeps to the {place}"),
+        Effect::Range { place, inside: false } => format!("she never enters the {place}"),
         Effect::Spares { thing } => format!("she never uses the {thing}"),
         Effect::Shy { of: Shy::OpenFloor, .. } => "she keeps close to the walls".to_owned(),
         Effect::Shy { of: Shy::People, .. } => "she keeps away from others".to_owned(),
