@@ -4,6 +4,7 @@ use crate::stage::{Simulated, day};
 use homebody_core::event::Fact;
 use homebody_core::geometry::Point;
 use homebody_core::motion::MotionState;
+use homebody_core::time::SECOND;
 use std::collections::BTreeSet;
 
 const ALONE: &str = "Margaret is 82.\nShe gets up at 07:00. She goes to bed at 22:30.\n";
@@ -54,10 +55,11 @@ fn on_some_days_she_keeps_to_a_room() {
 fn stretches(lives: &Simulated) -> Vec<f64> {
     let mut all = vec![0.0];
     for fact in &lives.events.facts {
-        let Fact::Movement { resident, doing, .. } = fact else { continue };
+        let Fact::Movement { resident, begin, end, doing, .. } = fact else { continue };
         match (resident.index(), doing) {
             (0, MotionState::Stride { from, to }) => *all.last_mut().expect("there is one") += from.distance(*to),
-            (0, _) => all.push(0.0),
+            // A turn of a few seconds is not a rest.
+            (0, _) if *end - *begin >= 5 * SECOND => all.push(0.0),
             _ => {}
         }
     }

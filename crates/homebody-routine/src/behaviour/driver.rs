@@ -411,8 +411,8 @@ impl RoutineDriver {
         };
         playing.stirs = !playing.stirs;
         stay.left -= until - now;
-        self.walked_m = 0.0;
         self.ready.push_back(Next::Segment(MotionSegment { begin: now, end: until, doing, posture: stay.posture }));
+        self.rest_for(until - now);
     }
 
     /// Factor on the usual movement now, by manner.
