@@ -34,6 +34,10 @@ mod interrupts;
 mod fall;
 mod ways;
 mod lamps;
+mod things;
+mod wakings;
+mod range;
+mod weather;
 mod sight;
 mod visit;
 mod help;
@@ -55,6 +59,7 @@ pub(crate) fn numbers() -> Vec<Number> {
         spare_time::NUMBERS,
         chores::NUMBERS,
         night::NUMBERS,
+        wakings::NUMBERS,
         pet::NUMBERS,
     ];
     let own = modules.concat().into_iter().cloned();

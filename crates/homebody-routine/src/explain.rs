@@ -182,7 +182,8 @@ fn person_words(person: &RoutinePerson) -> String {
         ResidentKind::Person => None,
     };
     let pace = person.pace_mps.map(|pace| format!("walks at {} m/s", numbers(pace.low, pace.high)));
-    join([age, kind, pace].into_iter().flatten(), ", ")
+    let rests = person.rests.map(|rests| format!("rests after {} m", number(rests.after_m)));
+    join([age, kind, pace, rests].into_iter().flatten(), ", ")
 }
 
 fn habit_cells(row: &mut ExplanationRow, habit: &Habit) {
@@ -192,6 +193,7 @@ fn habit_cells(row: &mut ExplanationRow, habit: &Habit) {
     };
     row.kind = ExplanationKind::Habit;
     row.what = habit.visitor.as_ref().map_or(doing.clone(), |visitor| format!("{visitor} {doing}"));
+    row.what += &habit.thing_on.as_ref().map(|thing| format!(", with the {thing} on")).unwrap_or_default();
     row.place.clone_from(&habit.place);
     row.days = short_days(&habit.when.days, &habit.when.chance);
     row.probability = Some(habit.when.chance.probability);
@@ -259,6 +261,19 @@ fn effect_words(change: &RoutineChange) -> String {
         Effect::SleepsIn => "after a late night gets up as much later".into(),
         Effect::Restless(by) => format!("turning in bed {}", factor(by)),
         Effect::Forgets { thing } => format!("{thing}: left on or open after use with probability {chance}"),
+        Effect::KeepsOn { thing } => match (&change.when.time, &change.when.until) {
+            (HabitTime::At(from), Some(until)) => {
+                format!("{thing}: on or open from {} to {}", clock(from.mean()), clock(until.mean()))
+            }
+            _ => format!("{thing}: on or open all night"),
+        },
+        Effect::Range { place, inside } => {
+            format!(
+                "{} the {place} with probability {chance}",
+                if *inside { "does not leave" } else { "does not enter" }
+            )
+        }
+        Effect::Spares { thing } => format!("{thing}: not used"),
         Effect::Shy { of: Shy::OpenFloor, gain } => {
             format!("wandering: keeps close to the walls, gain {}", number(*gain))
         }
@@ -319,7 +334,16 @@ fn which_days(days: &DaySelection) -> String {
     if let Some(kind) = days.kind {
         words += &format!(", if it is a {} one,", kind.word());
     }
+    words += &such_days(days).into_iter().map(|such| format!(", {such},")).collect::<String>();
     words
+}
+
+/// Days by weather, episode and the nights before.
+fn such_days(days: &DaySelection) -> Vec<String> {
+    let weather = days.weather.map(|weather| format!("in {} weather", weather.word()));
+    let episode = days.episode.map(|of| format!("for {} days about every {} days", of.lasts_days, of.every_days));
+    let poor = (days.poor_nights > 0).then(|| format!("poor nights before: {} or more", days.poor_nights));
+    [weather, episode, poor].into_iter().flatten().collect()
 }
 
 impl DayKind {
@@ -346,6 +370,7 @@ fn short_days(days: &DaySelection, chance: &HabitChance) -> String {
         named(days.months, &MONTHS).map(short).unwrap_or_default(),
         of_month,
         days.kind.map_or(String::new(), |kind| kind.word().to_owned()),
+        such_days(days).join(", "),
         every,
         format!("p {}{becomes}", number(chance.probability)),
     ];

@@ -23,7 +23,7 @@ use homebody_core::ids::ResidentId;
 use homebody_core::models;
 use homebody_core::numbers::Number;
 use homebody_core::outside;
-use homebody_core::plan::Plan;
+use homebody_core::plan::{self, Plan};
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::Recording;
 use homebody_core::resident::{Build, WanderingFile};
@@ -471,6 +471,7 @@ fn known(
         places,
         things: plan.things.iter().map(|thing| thing.name.clone()).collect(),
         rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
+        floors: plan::floors(&home.rooms).into_iter().map(|floor| floor.name).collect(),
         conditions,
         first_date,
         usual: USUAL.to_vec(),

@@ -232,11 +232,7 @@ impl TextReader<'_> {
         let person = self.draft.routine.person.get_or_insert(RoutinePerson {
             said: said.clone(),
             name,
-            kind: crate::routine::ResidentKind::default(),
-            age_years: None,
-            pace_mps: None,
-            age_said: None,
-            pace_said: None,
+            ..RoutinePerson::default()
         });
         let again = match fact {
             PersonFact::Age(age) => {
@@ -247,6 +243,7 @@ impl TextReader<'_> {
                 person.pace_mps = Some(pace);
                 person.pace_said.replace(said).is_some()
             }
+            PersonFact::Rests(rests) => person.rests.replace(rests).is_some(),
             PersonFact::Kind(kind) => {
                 std::mem::replace(&mut person.kind, kind) != crate::routine::ResidentKind::default()
             }

@@ -4,7 +4,7 @@ use crate::behaviour::places::{HomePlace, HomePlaces};
 use crate::behaviour::script::ACTED_ON;
 use crate::messages::NeedMessage;
 use crate::room_for::{self, MissingFurniture, NEEDS};
-use crate::routine::{Activity, FallEnds, Habit, Quote, Response, Routine, RoutineRule, USUAL, shows};
+use crate::routine::{Activity, Effect, FallEnds, Habit, Quote, Response, Routine, RoutineRule, USUAL, shows};
 use homebody_core::geometry;
 use homebody_core::home::form::HomeFile;
 use homebody_core::numbers::Numbers;
@@ -97,7 +97,13 @@ pub fn used_things(
         Response::Turn { thing, .. } => Some(thing.to_lowercase()),
         Response::Do { .. } => None,
     });
-    things.chain(warmers).chain(opened).chain(turned).collect()
+    let meanwhile = texts.iter().flat_map(|text| &text.habits).filter_map(|habit| habit.thing_on.as_deref());
+    let kept = texts.iter().flat_map(|text| &text.changes).filter_map(|change| match &change.effect {
+        Effect::KeepsOn { thing } => Some(thing.as_str()),
+        _ => None,
+    });
+    let on = meanwhile.chain(kept).map(str::to_lowercase);
+    things.chain(warmers).chain(opened).chain(turned).chain(on).collect()
 }
 
 /// Including the conditions of conditions.

@@ -3,7 +3,7 @@
 //! It holds only what the text states; defaults, such as the length of a breakfast, come later.
 
 pub use activity::{Activity, Meal};
-pub use days::{DayKind, DaySelection, PartOfDay, Phase, PhaseDay};
+pub use days::{DayKind, DaySelection, Episode, PartOfDay, Phase, PhaseDay, Weather};
 pub use falling::{FallEnds, Falling, FallsFrom, USUAL_SHARE};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 use schemars::JsonSchema;
@@ -42,11 +42,25 @@ pub struct RoutinePerson {
     pub age_years: Option<f64>,
     /// Usual walking speed in metres a second.
     pub pace_mps: Option<Fuzzy>,
+    /// Rests on the way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rests: Option<WalkRests>,
     /// The sentences with age and pace.
     #[serde(skip)]
     pub age_said: Option<Quote>,
     #[serde(skip)]
     pub pace_said: Option<Quote>,
+}
+
+/// Rests of a person who cannot walk far at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WalkRests {
+    /// The longest stretch without a rest, in metres.
+    pub after_m: f64,
+    /// Length of a rest in seconds.
+    #[serde(rename = "lasts_s")]
+    pub lasts: Fuzzy,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -82,6 +96,9 @@ pub struct Habit {
     pub place: Option<String>,
     #[serde(default)]
     pub when: When,
+    /// A thing that is on meanwhile, such as the television.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thing_on: Option<String>,
     /// Whether the visitor lets themselves in and out.
     #[serde(default, skip_serializing_if = "is_usual")]
     pub key: bool,
@@ -261,6 +278,8 @@ pub enum RuleTrigger {
     Between(f64, f64),
     /// The previous rule in the text has been answered.
     Follows,
+    /// The person wakes at night, whatever for.
+    Wakes,
 }
 
 impl RuleTrigger {
@@ -292,7 +311,7 @@ pub enum Response {
 pub struct RoutineChange {
     #[serde(skip)]
     pub said: Quote,
-    /// The time is a part of the day or none, and the chance is that of each day or occasion.
+    /// The time is a part of the day or none, or that of a thing; the chance is that of each day or occasion.
     #[serde(default)]
     pub when: When,
     pub effect: Effect,
@@ -340,6 +359,12 @@ pub enum Effect {
     Restless(Fuzzy),
     /// A thing stays on or open after a use, with the stated chance.
     Forgets { thing: String },
+    /// A thing is turned on or opened at the stated time, and off or closed at its end; all night if it is of the night.
+    KeepsOn { thing: String },
+    /// A room or a floor that the person does not leave, or does not enter, with the stated chance.
+    Range { place: String, inside: bool },
+    /// A thing is not used.
+    Spares { thing: String },
     /// Beats per minute added.
     Pulse(Fuzzy),
     /// Breaths per minute added.
@@ -400,7 +425,7 @@ impl Habit {
 impl RoutineChange {
     /// Whether both change the same, so that the later one replaces the other.
     pub(crate) fn is_of_the_same(&self, other: &RoutineChange) -> bool {
-        use Effect::{Active, DaysAre, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips};
+        use Effect::{Active, DaysAre, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips, Spares};
         let is_same_part = self.when.part() == other.when.part();
         match (&self.effect, &other.effect) {
             (Shows { .. }, _) => false,
@@ -411,7 +436,9 @@ impl RoutineChange {
             (Oftener { activity, .. }, Oftener { activity: of, .. }) => activity == of && is_same_part,
             (DaysAre { kind, .. }, DaysAre { kind: of, .. }) => kind == of,
             (Active { .. }, Active { .. }) => is_same_part,
-            (Forgets { thing }, Forgets { thing: of }) => thing.to_lowercase() == of.to_lowercase(),
+            (Forgets { thing }, Forgets { thing: of }) | (Spares { thing }, Spares { thing: of }) => {
+                thing.to_lowercase() == of.to_lowercase()
+            }
             (effect, of) => std::mem::discriminant(effect) == std::mem::discriminant(of),
         }
     }

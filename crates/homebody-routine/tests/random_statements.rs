@@ -6,8 +6,8 @@ use homebody_core::random::Stream;
 use homebody_routine::language::activities::phrase;
 use homebody_routine::language::routine;
 use homebody_routine::routine::{
-    Activity, DayKind, DaySelection, Effect, Habit, HabitChance, HabitTime, Meal, PartOfDay, Phase, PhaseDay, Quote,
-    Routine, RoutineChange, When,
+    Activity, DayKind, DaySelection, Effect, Episode, Habit, HabitChance, HabitTime, Meal, PartOfDay, Phase, PhaseDay,
+    Quote, Routine, RoutineChange, Weather, When,
 };
 use homebody_routine::statement::{statements, text};
 use std::fmt::Debug;
@@ -47,7 +47,7 @@ impl Draw {
 
     fn days(&mut self) -> DaySelection {
         let mut days = DaySelection::ALL;
-        match self.0.below(8) {
+        match self.0.below(10) {
             0 | 1 => days.weekdays = self.number(1, 126) as u8,
             2 => days.months = self.number(1, 4094) as u16,
             3 => days.every = self.number(2, 20) as u32,
@@ -55,6 +55,11 @@ impl Draw {
             5 => {
                 let day = self.number(1, 28) as u8;
                 days.of_month = (day, day);
+            }
+            6 => days.weather = Some(self.one(&[Weather::Dry, Weather::Rainy, Weather::Hot, Weather::Frosty])),
+            7 => {
+                let (every_days, lasts_days) = (self.number(20, 90) as u32, self.number(1, 10) as u32);
+                days.episode = Some(Episode { every_days, lasts_days });
             }
             _ => {}
         }
@@ -128,12 +133,19 @@ impl Draw {
             activity: if is_visit { Activity::Visit } else { self.one(activities) },
             place: None,
             when: self.when(),
+            thing_on: (!is_visit && self.is_rare(4)).then(|| self.one(&["television", "lamp"]).to_owned()),
             key: is_visit && self.is_rare(4),
             does: Vec::new(),
             falling: None,
         };
+        if habit.when.days.episode.is_some() {
+            (habit.when.chance, habit.when.phase) = (HabitChance::ALWAYS, Phase::default());
+        }
+        if self.is_rare(10) {
+            habit.when.days.poor_nights = self.number(1, 3) as u32;
+        }
         if is_visit {
-            (habit.when.times, habit.when.is_total) = ((1, 1), false);
+            (habit.when.times, habit.when.is_total, habit.when.days.episode) = ((1, 1), false, None);
             if self.is_rare(3) {
                 habit.does = vec![Activity::Housework];
             }
@@ -149,7 +161,15 @@ impl Draw {
         let activity = self.one(activities);
         let factor = Fuzzy::exactly(self.number(2, 19) / 10.0);
         let by = Fuzzy::exactly(self.number(1, 24) * 300.0 * self.one(&[1.0, -1.0]));
-        let effect = match self.0.below(9) {
+        let mut when = When { phase: self.phase(), ..When::default() };
+        if self.is_rare(4) {
+            when.days = self.days();
+        }
+        if when.days.episode.is_some() {
+            when.phase = Phase::default();
+        }
+        let thing = self.one(&["stove", "television", "lamp"]).to_owned();
+        let effect = match self.0.below(12) {
             0 => Effect::Later { activity, by },
             1 => Effect::LongerBy { activity, by },
             2 => Effect::Longer { activity, factor },
@@ -158,9 +178,19 @@ impl Draw {
             5 => Effect::Irregular(factor),
             6 => Effect::Active { factor },
             7 => Effect::Restless(factor),
+            8 => Effect::Spares { thing },
+            10 => Effect::Range { place: self.one(&["kitchen", "upper floor"]).to_owned(), inside: self.is_rare(2) },
+            9 => {
+                (when.time, when.until) = (HabitTime::Within(PartOfDay::Night), None);
+                if self.is_rare(2) {
+                    let until = self.clock().map(|at| at + 3600.0);
+                    (when.time, when.until) = (HabitTime::At(until.map(|at| at - 3600.0)), Some(until));
+                }
+                Effect::KeepsOn { thing }
+            }
             _ => Effect::DaysDiffer(factor),
         };
-        RoutineChange { said: Quote::default(), when: When { phase: self.phase(), ..When::default() }, effect }
+        RoutineChange { said: Quote::default(), when, effect }
     }
 }
 

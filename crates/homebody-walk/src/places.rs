@@ -75,6 +75,8 @@ pub struct HomePlaces {
     lamps: usize,
     /// Places that the home names, and all that can be opened.
     stations: Vec<ChoreStation>,
+    /// The floor of each room, in lower case.
+    floors: Vec<Option<String>>,
     /// By role, its place and its thing; cached, because they are looked up all day.
     of_role: Vec<(Option<HomePlace>, Option<u32>)>,
 }
@@ -144,6 +146,7 @@ impl HomePlaces {
             things,
             lamps: plan.things.len() - plan.rooms.len(),
             stations: Vec::new(),
+            floors: home.rooms.iter().map(|room| room.floor.as_ref().map(|floor| floor.to_lowercase())).collect(),
             of_role: Vec::new(),
         };
         places.door = places.find_door(home, plan);
@@ -173,6 +176,31 @@ impl HomePlaces {
     pub fn sleeping_at(mut self, name: &str) -> HomePlaces {
         if let Some(spot) = self.named(name).cloned() {
             self.of_role[Role::Bed as usize].0 = Some(spot);
+        }
+        self
+    }
+
+    /// Without the rooms that a person does not enter: for each name of a room or floor, those outside of it if it is true,
+    /// else those inside. A bed, a toilet and the front door are used elsewhere if none is left.
+    pub fn within(mut self, ranges: &[(String, bool)]) -> HomePlaces {
+        const NEEDED: [Role; 4] = [Role::Bed, Role::Toilet, Role::Washbasin, Role::FrontDoor];
+        let is_called = |room: usize, name: &str| {
+            self.things[self.lamps + room].0 == name || self.floors[room].as_deref() == Some(name)
+        };
+        let is_in = |room: usize| ranges.iter().all(|(name, inside)| is_called(room, &name.to_lowercase()) == *inside);
+        let rooms: Vec<bool> = (0..self.floors.len()).map(is_in).collect();
+        let is_within = |spot: &HomePlace| spot.room.is_none_or(|room| rooms.get(room).copied().unwrap_or(true));
+        self.spots.retain(&is_within);
+        self.stations.retain(|station| is_within(&station.spot));
+        for row in ROLES {
+            let (place, thing) = &self.of_role[row.role as usize];
+            let is_left = place.as_ref().is_none_or(&is_within);
+            let found = match is_left {
+                true => (place.clone(), *thing),
+                false if NEEDED.contains(&row.role) => (self.find(row.role).or(place.as_ref()).cloned(), *thing),
+                false => (self.find(row.role).cloned(), None),
+            };
+            self.of_role[row.role as usize] = found;
         }
         self
     }

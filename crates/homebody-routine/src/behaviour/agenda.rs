@@ -428,28 +428,24 @@ impl Planner<'_> {
             None => lasts,
         };
         let item = Item {
-            activity,
             place: habit.place.clone(),
+            thing_on: habit.thing_on.clone(),
             falling: habit.falling,
             visitor: habit.visitor.clone(),
             start,
             stated_by,
-            lasts,
             until: until.map(|until| until.saturating_add(later)),
             latest: start + Span::from_seconds(patience),
             of: Some(in_force.id()),
-            home: None,
             is_unsaid: source == ResidentRoutine::UNSAID,
             waits: source == ResidentRoutine::UNSAID,
             has_its_time: source != ResidentRoutine::UNSAID
                 && !matches!(when, HabitTime::AnyTime | HabitTime::Within(_)),
             has_key: habit.key,
             does: habit.does.clone(),
-            is_let_in: false,
             open,
             is_counted: matches!(when, HabitTime::AnyTime) && (time.of > 1 || habit.activity == Activity::UseBathroom),
-            follows: None,
-            key,
+            ..Item::now(key, activity, lasts)
         };
         let in_the_night = start >= self.bed;
         let is_break = item.visitor.is_none() && item.activity.interrupts(in_the_night);

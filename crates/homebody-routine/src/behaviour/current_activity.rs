@@ -46,6 +46,8 @@ pub(super) struct Playing {
     pub(super) waits: u32,
     /// Whether it fills a wait of the activity below.
     pub(super) is_in_between: bool,
+    /// Whether the activity below lasts on meanwhile.
+    pub(super) is_meanwhile: bool,
     /// Whether its stays are left for a visitor at the door: for naps and meals, as opposed to a shower.
     pub(super) hears_the_bell: bool,
     /// The visitor of a visit.
@@ -94,6 +96,7 @@ impl Playing {
             is_there: false,
             waits: 0,
             is_in_between: false,
+            is_meanwhile: false,
             guest: None,
             hears_the_bell: false,
         }

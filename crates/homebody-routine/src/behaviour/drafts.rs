@@ -125,6 +125,9 @@ impl Drafts<'_> {
             let how = match &draft.start {
                 ItemStart::After(_, gap) => Some(Following::After(*gap + later)),
                 ItemStart::Then(_) => Some(Following::After(later)),
+                ItemStart::With(of) if of.leaves_hands_free() && draft.item.activity.is_done_meanwhile() => {
+                    Some(Following::Meanwhile)
+                }
                 ItemStart::With(_) if later == Span::ZERO => Some(Following::With),
                 _ => None,
             };

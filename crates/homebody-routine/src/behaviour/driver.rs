@@ -17,17 +17,18 @@ use super::resident_routine::{DayParameters, ResidentRoutine};
 use super::rising::places_of_night;
 use super::script::{ActivitySetting, ActivityStep, Interruptible, STAYING_OVER, script};
 use super::tally::SentenceTally;
+use super::things::HeldThing;
+use super::wakings::SleepRecord;
 use super::watch::{WatchInput, Watches};
 use crate::routine::Activity;
 use homebody_core::drivers::{Driver, Next, Surroundings};
-use homebody_core::event::BodilyNeed;
 use homebody_core::home::Home;
 use homebody_core::ids::ResidentId;
 use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::posture::Posture;
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
-use homebody_core::time::{DAY, HOUR, MINUTE, RunTime, SECOND, Span};
+use homebody_core::time::{MINUTE, RunTime, SECOND, Span};
 use homebody_walk::Wanderers;
 use std::any::Any;
 use std::collections::{BTreeMap, VecDeque};
@@ -92,6 +93,11 @@ pub struct RoutineDriver {
     /// Waits in a row for people in the way.
     pub(super) pauses: u32,
     pub(super) sight: WatchInput,
+    /// Things that are kept on.
+    pub(super) held: Vec<HeldThing>,
+    pub(super) nights: SleepRecord,
+    /// Since the last rest.
+    pub(super) walked_m: f64,
 }
 
 impl RoutineDriver {
@@ -141,6 +147,9 @@ impl RoutineDriver {
             rank,
             pauses: 0,
             sight: WatchInput::default(),
+            held: Vec::new(),
+            nights: SleepRecord::default(),
+            walked_m: 0.0,
             errands: Errands::new(),
             tally: SentenceTally::default(),
             was_errand: false,
@@ -159,6 +168,8 @@ impl RoutineDriver {
             home,
             life,
         };
+        driver.keep_to_range();
+        driver.plan_turnings(RunTime::START);
         driver.tell_conditions();
         driver.needs.waking(RunTime::START, &driver.life, driver.agenda.day, &driver.parameters);
         if in_bed {
@@ -181,6 +192,7 @@ impl RoutineDriver {
         (driver.scripts, driver.ready, driver.visitor) = (Vec::new(), VecDeque::new(), Some(name.into()));
         // The host's rules and conditions do not apply to visitors.
         (driver.watches, driver.parameters) = (Watches::none(), DayParameters::ordinary());
+        driver.places = driver.usual_places.clone();
         driver
     }
 
@@ -264,8 +276,9 @@ impl RoutineDriver {
 
     /// Continues the activity that the ended one interrupted.
     pub(super) fn end_script(&mut self, now: RunTime) {
-        let mut still = None;
+        let (mut still, mut is_meanwhile, mut passed) = (None, false, Span::ZERO);
         if let Some(over) = self.scripts.pop() {
+            (is_meanwhile, passed) = (over.is_meanwhile, now - over.since);
             still = over.answers.map(|rank| (rank, over.still)).filter(|(_, still)| !still.is_empty());
             self.watches.has_done(&over.label, now, &self.life);
             let lasted = now - over.since;
@@ -284,6 +297,9 @@ impl RoutineDriver {
             }
         }
         self.watches.leave_behind();
+        if is_meanwhile {
+            self.pass_meanwhile(passed);
+        }
         if let Some((rank, still)) = still {
             return self.go_on_answering(rank, still, now);
         }
@@ -300,6 +316,7 @@ impl RoutineDriver {
                 if let Some(playing) = self.scripts.last_mut() {
                     playing.name.clone_from(&name);
                 }
+                self.note_sleep(&name, now);
                 self.name = name;
             }
             ActivityStep::Go(spot) => self.go(spot, now),
@@ -401,6 +418,7 @@ impl RoutineDriver {
         playing.stirs = !playing.stirs;
         stay.left -= until - now;
         self.ready.push_back(Next::Segment(MotionSegment { begin: now, end: until, doing, posture: stay.posture }));
+        self.rest_for(until - now);
     }
 
     /// Factor on the usual movement now, by manner.
@@ -426,14 +444,17 @@ impl RoutineDriver {
             let is_firm = item.has_its_time && !item.waits && item.visitor.is_none();
             playing.goes_with = item.follows.filter(|follows| follows.how == Following::With).map(|with| with.of);
             playing.undisturbed = if is_firm { now + UNDISTURBED } else { RunTime::MIN };
+            playing.is_meanwhile = item.is_meanwhile;
         }
+        self.begin_meanwhile(item, now);
     }
 
     /// Begins an activity on top of the current one.
     pub(super) fn begin(&mut self, item: &Item) {
-        let Item { key, activity, place, lasts, until, .. } = item;
+        let Item { key, activity, lasts, until, .. } = item;
         let guest = self.guest_of(item);
-        let place = place.as_deref().and_then(|place| self.places.named(place));
+        let place = self.place_of(item);
+        let place = place.as_ref();
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
         let mut forgotten = Vec::new();
         for (name, chance) in self.parameters.forgotten() {
@@ -443,8 +464,9 @@ impl RoutineDriver {
         }
         let left = forgotten.clone();
         let movement = self.parameters.activity(self.hour_now);
-        let mut setting =
-            ActivitySetting { places: &self.places, at: self.body.at(), stream: &mut stream, forgotten, movement };
+        let spared = self.parameters.spares.iter().filter_map(|name| self.places.thing_named(name)).collect();
+        let (places, at) = (&self.places, self.body.at());
+        let mut setting = ActivitySetting { places, at, stream: &mut stream, forgotten, spared, movement };
         let mut steps = match item.is_errand() {
             true => {
                 let is_mail = self.mail_hour.take_if(|hour| *hour <= self.hour_now).is_some();
@@ -461,6 +483,11 @@ impl RoutineDriver {
         };
         if let Some(first) = first {
             steps.push_front(ActivityStep::Go(first));
+        }
+        self.turn_on_meanwhile(item, &left, &mut steps);
+        if let Some(turning) = item.turns {
+            steps.truncate(1);
+            steps.extend(self.turning_steps(turning));
         }
         self.watches.forget(left);
         let walks = self.walks_for(item);
@@ -541,17 +568,6 @@ impl RoutineDriver {
             Some(item) => self.fill(item.start.min(self.agenda.bed), now),
             None => self.fill(self.agenda.bed, now),
         }
-    }
-
-    /// In hours.
-    pub(super) fn hour(&self, now: RunTime) -> f64 {
-        (now - self.midnight).rem_euclid(DAY).ratio(HOUR)
-    }
-
-    fn meet(&mut self, need: BodilyNeed, now: RunTime) {
-        let before = self.needs.meet(need, now);
-        self.ready.push_back(Next::Need(need, before));
-        self.ready.push_back(Next::Need(need, 0.0));
     }
 }
 

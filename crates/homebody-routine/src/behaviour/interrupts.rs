@@ -3,18 +3,13 @@
 use super::defaults;
 use super::drafts::SOON_DONE;
 use super::driver::{GRACE, RoutineDriver};
-use super::item::Item;
-use super::manner::Manner;
+use super::item::{Item, Turning};
 use super::resident_routine::{ResidentRoutine, SentenceId};
-use super::script::{ActivityStep, Interruptible, StayStep};
+use super::script::ActivityStep;
 use crate::routine::{Activity, Response};
 use homebody_core::activity::{self, ActivityKind, UsualLength};
 use homebody_core::event::BodilyNeed;
-use homebody_core::posture::Posture;
-use homebody_core::time::{MINUTE, RunTime, SECOND, Span};
-
-/// Time that turning a thing on or off takes at its place (our choice).
-const TURNING: Span = SECOND.times(2);
+use homebody_core::time::{MINUTE, RunTime, Span};
 
 impl RoutineDriver {
     /// When a rule is due that stands before the one being answered.
@@ -195,20 +190,8 @@ impl RoutineDriver {
             Response::Turn { thing, on } => {
                 let Some(index) = self.places.thing_named(&thing) else { return };
                 let activity = Activity::Other(activity::turning(&thing, on));
-                self.begin(&Item::now("rule".into(), activity, Span::ZERO));
-                let at = self.places.named(&thing).cloned();
-                if let Some(playing) = self.scripts.last_mut() {
-                    playing.steps.truncate(1);
-                    playing.steps.extend(at.map(ActivityStep::Go));
-                    playing.steps.push_back(ActivityStep::Act(index, on));
-                    playing.steps.push_back(ActivityStep::Stay(StayStep {
-                        posture: Posture::Standing,
-                        manner: Manner::BUSY,
-                        left: TURNING,
-                        until: None,
-                        may: Interruptible::Nothing,
-                    }));
-                }
+                let turns = Some(Turning { thing: index, on, until: None });
+                self.begin(&Item { turns, ..Item::now("rule".into(), activity, Span::ZERO) });
             }
             Response::Do { activity, place, lasts } => {
                 let key = format!("rule/{}/{}", activity.label(), self.times(&activity));

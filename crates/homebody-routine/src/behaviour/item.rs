@@ -40,6 +40,20 @@ pub struct Item {
     /// Whether the visitor was let in already, between two steps of another activity.
     pub is_let_in: bool,
     pub follows: Option<Follows>,
+    /// A thing that is on as long as it lasts.
+    pub thing_on: Option<String>,
+    /// A thing that is turned on or off, and nothing else.
+    pub turns: Option<Turning>,
+    /// Done while the activity that it interrupts lasts.
+    pub is_meanwhile: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turning {
+    pub thing: u32,
+    pub on: bool,
+    /// Until when it stays on, if planned.
+    pub until: Option<RunTime>,
 }
 
 /// The activity that another waits for.
@@ -57,6 +71,8 @@ pub enum Following {
     NotBefore,
     /// As the other begins.
     With,
+    /// While the other lasts.
+    Meanwhile,
 }
 
 impl Item {
@@ -83,6 +99,9 @@ impl Item {
             does: Vec::new(),
             is_let_in: false,
             follows: None,
+            thing_on: None,
+            turns: None,
+            is_meanwhile: false,
         }
     }
 

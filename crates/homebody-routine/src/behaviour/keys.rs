@@ -7,7 +7,7 @@
 //! file does.
 
 use crate::routine::{
-    Circumstance, DaySelection, Effect, Habit, HabitTime, Phase, PhaseDay, Response, Routine, RoutineChange,
+    Circumstance, DaySelection, Effect, Episode, Habit, HabitTime, Phase, PhaseDay, Response, Routine, RoutineChange,
     RoutineRule, RuleTrigger,
 };
 use homebody_core::fuzzy::Fuzzy;
@@ -72,6 +72,7 @@ fn habit_key(habit: &Habit) -> String {
         text += &format!(" {}", falling.words());
         text += &falling.mostly.map_or_else(String::new, |part| format!(" mostly {}", part.word()));
     }
+    text += &habit.thing_on.as_ref().map(|thing| format!(" with {} on", thing.to_lowercase())).unwrap_or_default();
     text += &format!(" p {}", habit.when.chance.probability);
     if let Some((probability, by)) = habit.when.chance.becomes {
         text += &format!(" to {probability} by {}", moment_key(by));
@@ -79,16 +80,7 @@ fn habit_key(habit: &Habit) -> String {
     if let Some(days) = habit.when.chance.days_a_week {
         text += &format!(" on {days} a week");
     }
-    let DaySelection { weekdays, months, every, of_month, kind } = habit.when.days;
-    if habit.when.days != DaySelection::ALL {
-        text += &format!(" days {weekdays:07b} {months:012b} {every}");
-    }
-    if of_month != DaySelection::ALL.of_month {
-        text += &format!(" {} to {} of the month", of_month.0, of_month.1);
-    }
-    if let Some(kind) = kind {
-        text += &format!(" on {} days", kind.word());
-    }
+    text += &days_key(&habit.when.days);
     text += &match &habit.when.time {
         HabitTime::AnyTime => String::new(),
         HabitTime::At(time) => format!(" from {}", fuzzy_key(time)),
@@ -108,6 +100,31 @@ fn habit_key(habit: &Habit) -> String {
         text += " in all";
     }
     text + phase_key(&habit.when.phase).as_str()
+}
+
+fn days_key(days: &DaySelection) -> String {
+    let DaySelection { weekdays, months, every, of_month, kind, weather, episode, poor_nights } = *days;
+    let mut text = String::new();
+    let by_calendar = DaySelection { weekdays, months, every, of_month, kind, ..DaySelection::ALL };
+    if by_calendar != DaySelection::ALL {
+        text += &format!(" days {weekdays:07b} {months:012b} {every}");
+    }
+    if of_month != DaySelection::ALL.of_month {
+        text += &format!(" {} to {} of the month", of_month.0, of_month.1);
+    }
+    if let Some(kind) = kind {
+        text += &format!(" on {} days", kind.word());
+    }
+    if let Some(weather) = weather {
+        text += &format!(" in {} weather", weather.word());
+    }
+    if let Some(Episode { every_days, lasts_days }) = episode {
+        text += &format!(" in episodes {every_days} {lasts_days}");
+    }
+    if poor_nights > 0 {
+        text += &format!(" after {poor_nights} poor nights");
+    }
+    text
 }
 
 fn rule_key(rule: &RoutineRule) -> String {
@@ -141,6 +158,7 @@ fn trigger_key(trigger: &RuleTrigger) -> String {
         RuleTrigger::Done(activity) => format!("done {}", activity.label()),
         RuleTrigger::Between(from, to) => format!("between {from} {to}"),
         RuleTrigger::Follows => "follows".to_owned(),
+        RuleTrigger::Wakes => "wakes".to_owned(),
     }
 }
 
@@ -174,6 +192,18 @@ fn change_key(change: &RoutineChange) -> String {
         Effect::SleepsIn => "sleeps in".to_owned(),
         Effect::Restless(by) => format!("restless {}", fuzzy_key(by)),
         Effect::Forgets { thing } => format!("forgets {} {chance}", thing.to_lowercase()),
+        Effect::KeepsOn { thing } => {
+            let until = change.when.until.as_ref().map(|until| format!(" until {}", fuzzy_key(until)));
+            let from = match &change.when.time {
+                HabitTime::At(from) => format!(" from {}", fuzzy_key(from)),
+                _ => " all night".to_owned(),
+            };
+            format!("keeps on {}{from}{} {chance}", thing.to_lowercase(), until.unwrap_or_default())
+        }
+        Effect::Range { place, inside } => {
+            format!("{} {} {chance}", if *inside { "keeps to" } else { "avoids" }, place.to_lowercase())
+        }
+        Effect::Spares { thing } => format!("spares {}", thing.to_lowercase()),
         Effect::Shy { of, gain } => format!("shy {of:?} {gain}").to_lowercase(),
         Effect::Pulse(by) => format!("pulse {}", fuzzy_key(by)),
         Effect::Respiration(by) => format!("respiration {}", fuzzy_key(by)),

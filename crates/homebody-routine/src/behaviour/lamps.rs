@@ -1,7 +1,5 @@
 use super::driver::RoutineDriver;
 use homebody_core::drivers::Next;
-use homebody_core::event::ThingUse;
-use homebody_core::ids::ThingId;
 use homebody_core::motion::MotionSegment;
 use homebody_core::role::Role;
 use homebody_core::time::RunTime;
@@ -32,10 +30,5 @@ impl RoutineDriver {
         if let Some(lamp) = self.lamp(self.body.room()).filter(|&lamp| self.watches.is_on(lamp)) {
             self.act(lamp, false, now);
         }
-    }
-
-    pub(super) fn act(&mut self, thing: u32, on: bool, at: RunTime) {
-        self.watches.turn(thing, on, at, &self.life, &self.places);
-        self.ready.push_back(Next::Use(ThingUse { thing: ThingId(thing), on }));
     }
 }

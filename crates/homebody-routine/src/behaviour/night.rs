@@ -12,7 +12,7 @@ use super::script::{ActivityStep, Interruptible, StayStep};
 use crate::routine::Activity;
 use homebody_core::activity::SLEEPING;
 use homebody_core::drivers::Next;
-use homebody_core::event::Vitals;
+use homebody_core::event::{BodilyNeed, Vitals};
 use homebody_core::posture::Posture;
 use homebody_core::role::Role;
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
@@ -115,6 +115,12 @@ impl RoutineDriver {
         rising::late_by(&self.life, self.agenda.day, self.agenda.up, now).share(by)
     }
 
+    pub(super) fn meet(&mut self, need: BodilyNeed, now: RunTime) {
+        let before = self.needs.meet(need, now);
+        self.ready.push_back(Next::Need(need, before));
+        self.ready.push_back(Next::Need(need, 0.0));
+    }
+
     pub(super) fn lie_down(&mut self, now: RunTime) {
         self.needs.sleeping(now, &self.life, self.agenda.day, &self.parameters);
         self.put_out_the_lamp(now);
@@ -128,6 +134,7 @@ impl RoutineDriver {
     }
 
     pub(super) fn wake(&mut self, now: RunTime) {
+        self.end_night(now);
         self.begin_day(now);
         let day = self.agenda.day;
         // On top of the night, which ends here.
@@ -163,7 +170,9 @@ impl RoutineDriver {
         self.parameters = self.life.parameters(day);
         self.parameters.slept_in = if day == self.agenda.day + 1 { self.slept_in } else { Span::ZERO };
         self.agenda = Agenda::new(&self.life, day, &self.parameters);
+        self.leave_out_after_good_nights();
         self.places = rising::places_of_night(&self.usual_places, self.agenda.sleeps_at.as_deref());
+        self.keep_to_range();
         self.midnight = self.life.midnight(day);
         self.next_item = if was_away { self.agenda.items.partition_point(|item| item.start < now) } else { 0 };
         self.first_item = self.next_item;
@@ -176,6 +185,7 @@ impl RoutineDriver {
         let mail = self.life.stream_of_day(day, "mail");
         self.mail_hour = (self.host.index() == 0).then(|| mail_hour(&mut { mail }, &self.life.numbers));
         self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
+        self.plan_turnings(now);
         self.tell_conditions();
         self.needs.waking(now, &self.life, day, &self.parameters);
         self.needs.wake(now);

@@ -46,6 +46,12 @@ pub struct DayParameters {
     pub(super) oftener: Vec<(Activity, Option<PartOfDay>, f64)>,
     pub(super) skips: BTreeMap<Activity, f64>,
     pub(super) forgets: Vec<(String, f64)>,
+    /// Things that are on for a time, with probabilities.
+    pub(super) kept_on: Vec<(RoutineChange, f64)>,
+    /// Things that are not used, in lower case.
+    pub(super) spares: Vec<String>,
+    /// Rooms or floors to keep to if true, else to avoid, with probabilities.
+    pub(super) ranges: Vec<(String, bool, f64)>,
     /// Additional gains of motor schemas.
     pub(super) shy: Vec<(Shy, f64)>,
     /// Severities of conditions; 1 is a moderate case.
@@ -84,6 +90,9 @@ impl DayParameters {
             oftener: Vec::new(),
             skips: BTreeMap::new(),
             forgets: Vec::new(),
+            kept_on: Vec::new(),
+            spares: Vec::new(),
+            ranges: Vec::new(),
             shy: Vec::new(),
             severities: Vec::new(),
         }
@@ -118,6 +127,11 @@ impl DayParameters {
             Effect::Active { factor: by } => self.active.push((part, factor(by))),
             Effect::Restless(by) => self.restless = (self.restless * factor(by)).min(self.most_movement),
             Effect::Forgets { thing } => self.forgets.push((thing.to_lowercase(), (chance * strength).min(1.0))),
+            Effect::KeepsOn { .. } => self.kept_on.push((change.clone(), (chance * strength).min(1.0))),
+            Effect::Range { place, inside } => {
+                self.ranges.push((place.to_lowercase(), *inside, (chance * strength).min(1.0)));
+            }
+            Effect::Spares { thing } => self.spares.push(thing.to_lowercase()),
             Effect::Shy { of, gain } => self.shy.push((*of, gain * strength)),
             Effect::Pulse(by) => self.pulse += amount(by),
             Effect::Respiration(by) => self.respiration += amount(by),

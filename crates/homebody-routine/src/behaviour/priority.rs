@@ -117,6 +117,7 @@ impl RoutineDriver {
             Following::After(gap) => end + gap,
             Following::NotBefore => item.start.max(end),
             Following::With => begin - Span::MICROSECOND,
+            Following::Meanwhile => begin + Span::MICROSECOND,
         }
     }
 
@@ -124,6 +125,7 @@ impl RoutineDriver {
     pub(super) fn may_begin(&self, item: &Item, now: RunTime) -> bool {
         let Some(follows) = item.follows else { return true };
         match (self.ahead(follows.of), follows.how) {
+            (_, Following::Meanwhile) => false,
             // The other does not wait itself, as a meal does for its cooking.
             (Some(with), Following::With) => {
                 let is_over = |before: Follows| before.how == Following::With || self.ahead(before.of).is_none();
@@ -182,7 +184,8 @@ impl RoutineDriver {
         }
         let mut moved: Vec<(SentenceId, RunTime)> = Vec::new();
         for item in &mut self.agenda.items[self.next_item..] {
-            let waited = item.follows.take_if(|follows| follows.of == over && follows.how != Following::With);
+            let waits = |how: Following| !matches!(how, Following::With | Following::Meanwhile);
+            let waited = item.follows.take_if(|follows| follows.of == over && waits(follows.how));
             let Some(Follows { how, .. }) = waited else { continue };
             let start = if let Following::After(gap) = how { now + gap } else { item.start.max(now) };
             (item.latest, item.start) = (item.latest + (start - item.start).max(Span::ZERO), start);

@@ -12,7 +12,7 @@ use super::traits::{Constitution, MemberDifference};
 use crate::language::LAST_WEEK;
 use crate::routine::{
     Activity, DayKind, DaySelection, Effect, Habit, HabitChance, Meal, Phase, PhaseDay, Quote, Routine, RoutineChange,
-    RoutineRule,
+    RoutineRule, WalkRests,
 };
 use homebody_core::calendar::Calendar;
 use homebody_core::fuzzy::Quantifier;
@@ -32,6 +32,8 @@ pub struct ResidentRoutine {
     /// The stated pace; if exact, it does not vary between people.
     written_mps: f64,
     has_exact_pace: bool,
+    /// Rests on the way.
+    pub rests: Option<WalkRests>,
     /// Whether it varies around the routine, as a member of a cohort.
     is_one_of_many: bool,
     seed: u64,
@@ -117,6 +119,7 @@ impl ResidentRoutine {
             calendar: calendar.clone(),
             pace_mps: written_mps,
             written_mps,
+            rests: routine.person.as_ref().and_then(|person| person.rests),
             has_exact_pace: pace.is_some_and(|pace| pace.low >= pace.high),
             is_one_of_many,
             seed,
@@ -266,6 +269,11 @@ impl ResidentRoutine {
         Stream::named(self.seed, &format!("resident/{}/{purpose}", self.name))
     }
 
+    /// The same for all residents.
+    pub(super) fn stream_of_home(&self, purpose: &str) -> Stream {
+        Stream::named(self.seed, purpose)
+    }
+
     pub fn stream_of_day(&self, day: i32, purpose: &str) -> Stream {
         self.stream(&format!("day/{day}/{purpose}"))
     }
@@ -372,6 +380,7 @@ impl ResidentRoutine {
                 (first, last) => (first..=last).contains(&day_of_month),
             }
             && days.kind.is_none_or(|kind| self.is_of_kind(kind, day))
+            && self.is_such_a_day(days, day)
     }
 
     /// The probability on a day that the habit applies to.

@@ -149,6 +149,8 @@ pub struct ActivitySetting<'a> {
     pub stream: &'a mut Stream,
     /// Things that stay on this time, such as a forgotten stove.
     pub forgotten: Vec<u32>,
+    /// Things that are not used today.
+    pub spared: Vec<u32>,
     pub movement: f64,
 }
 
@@ -210,7 +212,7 @@ impl StepBuilder<'_, '_> {
             Activity::Wash => self.with_water(Role::Washbasin, place, lasts, Manner::WASHING),
             Activity::Dress => self.at(Role::Wardrobe, place, lasts, Manner::WASHING, Interruptible::Rules),
             Activity::TakeMedicine => self.take_medicine(place, lasts),
-            Activity::Prepare(meal) => self.prepare(*meal, lasts),
+            Activity::Prepare(meal) => self.prepare(*meal, place, lasts),
             Activity::Eat(_) => {
                 self.at(Role::DiningSeat, place, lasts, Manner::EATING, Interruptible::Rules);
                 self.push(ActivityStep::Meet(BodilyNeed::Hunger));
@@ -281,10 +283,20 @@ impl StepBuilder<'_, '_> {
     }
 
     fn act(&mut self, role: Role, on: bool) {
-        let thing = self.setting.places.thing(role);
-        if let Some(thing) = thing.filter(|thing| on || !self.setting.forgotten.contains(thing)) {
+        if let Some(thing) = self.setting.places.thing(role) {
+            self.turn(thing, on);
+        }
+    }
+
+    fn turn(&mut self, thing: u32, on: bool) {
+        let ActivitySetting { forgotten, spared, .. } = &*self.setting;
+        if !spared.contains(&thing) && (on || !forgotten.contains(&thing)) {
             self.push(ActivityStep::Act(thing, on));
         }
+    }
+
+    fn is_spared(&self, role: Role) -> bool {
+        self.setting.places.thing(role).is_some_and(|thing| self.setting.spared.contains(&thing))
     }
 
     fn stay(&mut self, posture: Posture, manner: Manner, lasts: Span, may: Interruptible) {
@@ -341,9 +353,19 @@ impl StepBuilder<'_, '_> {
         self.with_water(Role::Sink, None, lasts / 3, Manner::BUSY);
     }
 
-    /// Between fridge, drawers, counter, sink and stove; hot food is not left alone.
-    fn prepare(&mut self, meal: Meal, lasts: Span) {
+    /// Between fridge, drawers, counter, sink and stove; hot food is not left alone. A stated appliance is used, and neither
+    /// the stove nor another.
+    fn prepare(&mut self, meal: Meal, place: Option<&HomePlace>, lasts: Span) {
         let hot = meal != Meal::Breakfast || self.setting.stream.chance(0.5);
+        let places = self.setting.places;
+        let appliance = place.filter(|place| !place.is_room).and_then(|place| {
+            let thing = places.thing_named(&place.name)?;
+            Some((place, thing))
+        });
+        if let Some((place, thing)) = appliance {
+            return self.prepare_in(place, thing, lasts);
+        }
+        let hot = hot && !self.is_spared(Role::Stove);
         let mut left = lasts;
         let opening = [Role::Fridge, Role::Drawers, Role::Counter];
         for role in opening {
@@ -363,6 +385,20 @@ impl StepBuilder<'_, '_> {
         }
     }
 
+    fn prepare_in(&mut self, place: &HomePlace, thing: u32, lasts: Span) {
+        let mut left = lasts;
+        for role in [Role::Fridge, Role::Drawers, Role::Counter] {
+            left -= self.station(role, left);
+        }
+        self.push(ActivityStep::Go(place.clone()));
+        self.turn(thing, true);
+        while left > Span::ZERO {
+            left -= self.next_station(false, left);
+        }
+        self.push(ActivityStep::Go(place.clone()));
+        self.turn(thing, false);
+    }
+
     /// Mostly stove or counter. Returns the duration.
     fn next_station(&mut self, hot: bool, left: Span) -> Span {
         let roles =
@@ -378,6 +414,9 @@ impl StepBuilder<'_, '_> {
         for spot in self.setting.places.all_for(Role::FoodWarmer) {
             let thing = self.setting.places.thing_named(&spot.name);
             let Some(thing) = thing.filter(|_| passed < left && self.setting.stream.chance(WARMED)) else { continue };
+            if self.setting.spared.contains(&thing) {
+                continue;
+            }
             self.push(ActivityStep::Go(spot.clone()));
             self.push(ActivityStep::Act(thing, true));
             let until = (passed + self.around(WARMING_S)).min(left);
@@ -510,7 +549,7 @@ impl StepBuilder<'_, '_> {
 
     fn drink(&mut self, lasts: Span) {
         let hot = self.setting.stream.chance(0.3);
-        if hot {
+        if hot && !self.is_spared(Role::Stove) {
             self.go(Role::Stove, None);
             self.act(Role::Stove, true);
             let boiling = self.around(150.0);

@@ -10,7 +10,7 @@ use homebody_core::drivers::{Next, Surroundings};
 use homebody_core::ids::ThingId;
 use homebody_core::motion::MotionState;
 use homebody_core::posture::Posture;
-use homebody_core::time::{RunTime, SECOND, Span};
+use homebody_core::time::{DAY, HOUR, RunTime, SECOND, Span};
 
 /// Interval at which a person who looks out for something checks (our choice).
 const LOOKS: Span = SECOND;
@@ -57,8 +57,13 @@ impl RoutineDriver {
                 if from <= to { (*from..*to).contains(&time_s) } else { time_s >= *from || time_s < *to }
             }
             // Away from home, no rule is answered.
-            RuleTrigger::Away | RuleTrigger::Done(_) | RuleTrigger::Follows => false,
+            RuleTrigger::Away | RuleTrigger::Done(_) | RuleTrigger::Follows | RuleTrigger::Wakes => false,
         }
+    }
+
+    /// The time of day in hours.
+    pub(super) fn hour(&self, now: RunTime) -> f64 {
+        (now - self.midnight).rem_euclid(DAY).ratio(HOUR)
     }
 
     fn is_at(&self, place: &str) -> bool {

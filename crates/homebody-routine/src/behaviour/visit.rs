@@ -136,8 +136,9 @@ impl RoutineDriver {
         let guest = self.guest_of(&item);
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{}/door", item.key));
         let places = self.places.clone();
-        let (at, forgotten) = (self.body.at(), Vec::new());
-        let mut setting = ActivitySetting { places: &places, at, stream: &mut stream, forgotten, movement: 1.0 };
+        let (at, forgotten, spared) = (self.body.at(), Vec::new(), Vec::new());
+        let mut setting =
+            ActivitySetting { places: &places, at, stream: &mut stream, forgotten, spared, movement: 1.0 };
         let steps = self.next_to_door(script::let_in(&mut setting));
         self.play(steps, stream, Activity::Visit.label());
         if let Some(playing) = self.scripts.last_mut() {
@@ -319,8 +320,9 @@ impl RoutineDriver {
         let places = self.places.clone();
         let at = self.body.at();
         let Some(playing) = self.scripts.last_mut() else { return VecDeque::new() };
-        let mut setting =
-            ActivitySetting { places: &places, at, stream: &mut playing.stream, forgotten: Vec::new(), movement: 1.0 };
+        let (forgotten, spared) = (Vec::new(), Vec::new());
+        let stream = &mut playing.stream;
+        let mut setting = ActivitySetting { places: &places, at, stream, forgotten, spared, movement: 1.0 };
         let mut steps = script::script(activity, None, lasts, None, &mut setting);
         // The needs of visitors are not simulated.
         steps.retain(|step| !matches!(step, ActivityStep::Meet(_)));

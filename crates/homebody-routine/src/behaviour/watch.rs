@@ -134,6 +134,10 @@ impl Watches {
         );
     }
 
+    pub fn wakes(&mut self, at: RunTime, life: &ResidentRoutine) {
+        self.happen(&|watch| watch.rule.whenever == RuleTrigger::Wakes, at, life);
+    }
+
     /// Triggers that are events without duration.
     fn happen(&mut self, of: &dyn Fn(&RuleWatch) -> bool, at: RunTime, life: &ResidentRoutine) {
         for index in 0..self.rules.len() {

@@ -3,10 +3,11 @@ use super::item::Item;
 use super::manner::Manner;
 use super::places::HomePlace;
 use super::script::{ActivityStep, Interruptible, StayStep};
-use crate::routine::Activity;
+use crate::routine::{Activity, WalkRests};
 use homebody_core::drivers::Next;
 use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::posture::Posture;
+use homebody_core::random::Stream;
 use homebody_core::time::{RunTime, SECOND, Span};
 use std::collections::VecDeque;
 
@@ -15,6 +16,12 @@ homebody_core::numbers! {
     static AT_A_LOSS_S = "driver.at_a_loss": 60.0, "s", [1.0, 3_600.0];
 }
 
+/// Shortest stretch between two rests, in metres (our choice).
+const SHORTEST_STRETCH_M: f64 = 1.0;
+
+/// Shortest stay that is a rest from walking (our choice).
+const LEAST_REST: Span = SECOND.times(5);
+
 fn metres(segment: &MotionSegment) -> f64 {
     match segment.doing {
         MotionState::Stride { from, to } => from.distance(to),
@@ -22,7 +29,51 @@ fn metres(segment: &MotionSegment) -> f64 {
     }
 }
 
+/// A way with a rest after each stretch of the longest length, of which some metres may have been walked before.
+fn with_rests(
+    moves: Vec<MotionSegment>,
+    rests: WalkRests,
+    walked_m: &mut f64,
+    stream: &mut Stream,
+) -> Vec<MotionSegment> {
+    let most_m = rests.after_m.max(SHORTEST_STRETCH_M);
+    let (mut delay, mut all) = (Span::ZERO, Vec::new());
+    for segment in moves {
+        let mut left = MotionSegment { begin: segment.begin + delay, end: segment.end + delay, ..segment };
+        while *walked_m + metres(&left) > most_m {
+            let share = ((most_m - *walked_m) / metres(&left)).max(0.0);
+            let cut = left.begin + (left.end - left.begin).share(share);
+            if cut >= left.end {
+                break;
+            }
+            if cut > left.begin {
+                let [first, rest] = left.split(cut);
+                all.push(first);
+                left = rest;
+            }
+            let MotionState::Stride { from, .. } = left.doing else { break };
+            let lasts = Span::from_seconds(rests.lasts.draw(stream)).max(SECOND);
+            let (doing, posture) = (MotionState::Rest { at: from }, Posture::Standing);
+            all.push(MotionSegment { begin: left.begin, end: left.begin + lasts, doing, posture });
+            left = MotionSegment { begin: left.begin + lasts, end: left.end + lasts, ..left };
+            (*walked_m, delay) = (0.0, delay + lasts);
+        }
+        // A turn is no rest.
+        let is_rest = !matches!(left.doing, MotionState::Stride { .. }) && left.end - left.begin >= LEAST_REST;
+        *walked_m = if is_rest { 0.0 } else { *walked_m + metres(&left) };
+        all.push(left);
+    }
+    all
+}
+
 impl RoutineDriver {
+    /// A stay of this length, after which a longest stretch begins anew.
+    pub(super) fn rest_for(&mut self, lasts: Span) {
+        if lasts >= LEAST_REST {
+            self.walked_m = 0.0;
+        }
+    }
+
     /// The purpose of an activity's walks. Sitting down after an errand is the way back.
     pub(super) fn walks_for(&mut self, item: &Item) -> WalkPurpose {
         let was_errand = std::mem::take(&mut self.was_errand);
@@ -50,6 +101,10 @@ impl RoutineDriver {
         let from = self.body.room();
         let Some(moves) = self.body.go(&spot, now, hour, self.parameters.pace, &mut playing.stream) else {
             return self.give_up(false, now);
+        };
+        let moves = match self.life.rests {
+            Some(rests) if self.visitor.is_none() => with_rests(moves, rests, &mut self.walked_m, &mut playing.stream),
+            _ => moves,
         };
         playing.spot = Some(spot.clone());
         let metres: f64 = moves.iter().map(metres).sum();

@@ -68,6 +68,7 @@ fn so(state: &RuleTrigger) -> String {
         RuleTrigger::Done(activity) => format!("this is over: {}", phrase(activity)),
         RuleTrigger::Between(from, to) => format!("it is between {} and {}", clock(*from), clock(*to)),
         RuleTrigger::Follows => "the rule before has been answered".into(),
+        RuleTrigger::Wakes => "the person wakes at night".into(),
     }
 }
 

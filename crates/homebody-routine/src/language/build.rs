@@ -12,7 +12,7 @@ use super::value::{Act, Clause, SentenceSubject, SpokenStatement, Verb};
 use super::words::TextSpan;
 use super::{calendar, productions};
 use crate::routine::{
-    Activity, DaySelection, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Quote, When,
+    Activity, DaySelection, Falling, FallsFrom, Habit, HabitChance, HabitTime, PartOfDay, Quote, WalkRests, When,
 };
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
@@ -45,6 +45,11 @@ impl Builder<'_> {
         if let Some(heading) = self.context.heading {
             clause.parts = std::mem::take(&mut clause.parts).under(heading);
         }
+        let is_stay =
+            matches!(&clause.verb, Verb::Does(act) if act.activity == Activity::Leave) || clause.verb == Verb::Visits;
+        if !is_stay {
+            clause.parts = std::mem::take(&mut clause.parts).with_episode();
+        }
         if let Some(slot) = &clause.parts.follows {
             let (span, text) = (slot.span, self.said(slot.span));
             let help = "write from which day, such as \"from day 30\"".to_owned();
@@ -59,6 +64,7 @@ impl Builder<'_> {
             Verb::Age(age) => self.fact(&clause, PersonFact::Age(age)),
             Verb::Kind(kind) => self.fact(&clause, PersonFact::Kind(kind)),
             Verb::Pace(pace) => self.fact(&clause, PersonFact::Pace(pace)),
+            Verb::Rests(after_m) => self.rests(clause, after_m),
             Verb::Sleeps if clause.parts.measure.is_none() && clause.parts.place.is_some() => self.sleeps(clause),
             Verb::Stays(activity) if clause.parts.measure.is_none() => self.stays(clause, activity),
             Verb::Goes => self.only_goes(&clause),
@@ -77,7 +83,7 @@ impl Builder<'_> {
         let span = TextSpan { start: clause.span.start, end: clause.verb_span.start };
         let at = self.context.text.get(span.start..span.end).and_then(|text| text.find(name)).unwrap_or(0);
         let span = TextSpan { start: span.start + at, end: span.start + at + name.len() };
-        let is_fact = matches!(clause.verb, Verb::Age(_) | Verb::Kind(_) | Verb::Pace(_));
+        let is_fact = matches!(clause.verb, Verb::Age(_) | Verb::Kind(_) | Verb::Pace(_) | Verb::Rests(_));
         let name = name.to_owned();
         if clause.verb == Verb::Visits {
             self.fault(span, WordMessage::UnknownVisitor { name });
@@ -108,6 +114,13 @@ impl Builder<'_> {
         }
         self.only(&clause.parts, &[], "a fact about the person holds at all times");
         self.built.facts.push((fact, span, clause.span));
+    }
+
+    fn rests(&mut self, mut clause: Clause, after_m: f64) {
+        /// Length of a rest on the way, in seconds (our choice).
+        const REST_S: (f64, f64) = (20.0, 40.0);
+        let lasts = clause.parts.lasts.take().map_or(Fuzzy::between(REST_S.0, REST_S.1), |slot| slot.value);
+        self.fact(&clause, PersonFact::Rests(WalkRests { after_m, lasts }));
     }
 
     /// "She sleeps in the recliner": by day a nap, by night where her bed is.
@@ -238,6 +251,14 @@ impl Builder<'_> {
             let reason = "only a visitor comes with a key".to_owned();
             self.fault(key.span, SentenceMessage::DoesNotFit { text, reason });
         }
+        self.thing_meanwhile(&activity, is_visit, &parts);
+        if let Some(slot) =
+            parts.poor_nights.as_ref().filter(|_| matches!(activity, Activity::GetUp | Activity::GoToBed))
+        {
+            let text = self.said(slot.span);
+            let reason = "the times of rising and going to bed do not depend on the night before".to_owned();
+            self.fault(slot.span, SentenceMessage::DoesNotFit { text, reason });
+        }
         let nights = self.nights(&activity, &mut parts);
         let is_fall = activity == Activity::Fall;
         let falling = self.falling(&clause, &activity, &mut parts);
@@ -294,11 +315,24 @@ impl Builder<'_> {
                     nights,
                     is_total: parts.total.is_some(),
                 },
+                thing_on: parts.thing_on.as_ref().map(|slot| slot.value.clone()),
                 key: parts.key.is_some(),
                 does: Vec::new(),
                 falling,
             };
             self.built.habits.push((habit, clause.verb_span));
+        }
+    }
+
+    /// Something can be on during what the person does at home.
+    fn thing_meanwhile(&mut self, activity: &Activity, is_visit: bool, parts: &Parts) {
+        use Activity::{ComeHome, Fall, GetUp, GoToBed, Leave, Stumble};
+        let Some(slot) = &parts.thing_on else { return };
+        if is_visit || matches!(activity, ComeHome | Fall | GetUp | GoToBed | Leave | Stumble) {
+            let text = self.said(slot.span);
+            let reason =
+                "a thing is on during what she does at home; write \"leaves the television on from 20:00 until 22:00\"";
+            self.fault(slot.span, SentenceMessage::DoesNotFit { text, reason: reason.to_owned() });
         }
     }
 

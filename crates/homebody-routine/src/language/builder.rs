@@ -6,7 +6,7 @@ use super::messages::{SentenceMessage, TimeSentenceMessage};
 use super::parts::{Parts, Slot, SlotKind};
 use super::productions::arguments::said;
 use super::words::TextSpan;
-use crate::routine::{Habit, Phase, PhaseDay, Quote, ResidentKind, RoutineChange, RoutineRule};
+use crate::routine::{Habit, Phase, PhaseDay, Quote, ResidentKind, RoutineChange, RoutineRule, WalkRests};
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::problem::Diagnostic;
 
@@ -16,6 +16,7 @@ pub enum PersonFact {
     Age(f64),
     Kind(ResidentKind),
     Pace(Fuzzy),
+    Rests(WalkRests),
 }
 
 /// The meaning of one sentence, and its problems.

@@ -5,11 +5,13 @@ use super::amounts::{ABOUT_SHARE, DAY_S, PLAIN_SHARE};
 use super::calendar::LAST_WEEK;
 use super::times::{ABOUT_TIME_S, PLAIN_TIME_S};
 use crate::routine::{
-    Activity, Circumstance, DaySelection, Effect, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
-    PartOfDay, Phase, PhaseDay, ResidentKind, Response, RoutineChange, RoutinePerson, RoutineRule, RuleTrigger, Shy,
-    When,
+    Activity, Circumstance, DaySelection, Episode, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
+    PartOfDay, Phase, PhaseDay, ResidentKind, Response, RoutineChange, RoutinePerson, RoutineRule, RuleTrigger, When,
 };
+use effects::effect_words;
 use homebody_core::fuzzy::Fuzzy;
+
+mod effects;
 
 pub fn person_sentences(person: &RoutinePerson) -> Vec<String> {
     let name = &person.name;
@@ -20,7 +22,10 @@ pub fn person_sentences(person: &RoutinePerson) -> Vec<String> {
     };
     let age = person.age_years.map(|age| format!("{name} is {} years old.", number(age)));
     let pace = person.pace_mps.map(|pace| format!("{name} walks at {}.", amount(&pace, 1.0, "m/s", 0.0, 0.1)));
-    [kind, age, pace].into_iter().flatten().collect()
+    let rests = person.rests.map(|rests| {
+        format!("{name} rests after {} m for {}.", number(rests.after_m), duration(&rests.lasts).trim_end_matches(','))
+    });
+    [kind, age, pace, rests].into_iter().flatten().collect()
 }
 
 pub fn habit_sentence(habit: &Habit) -> String {
@@ -48,6 +53,7 @@ pub fn habit_sentence(habit: &Habit) -> String {
         lasting,
         until.as_ref().map(|until| format!("until {}", clock(until, "until"))),
         (*nights > 0).then(|| format!("for {nights} {}", if *nights == 1 { "night" } else { "nights" })),
+        habit.thing_on.as_ref().map(|thing| format!("with the {thing} on")),
         habit.key.then(|| "with a key".to_owned()),
         (!habit.does.is_empty()).then(|| {
             let does: Vec<String> = habit.does.iter().map(work_words).collect();
@@ -164,6 +170,16 @@ fn days_words(days: &DaySelection) -> Vec<String> {
         words.push(format!("in {}", names(days.months, &MONTHS)));
     }
     words.extend(days.kind.map(|kind| format!("on {} days", kind.word())));
+    words.extend(days.weather.map(|weather| format!("on {} days", weather.word())));
+    words.extend(match days.poor_nights {
+        0 => None,
+        1 => Some("after a poor night".to_owned()),
+        nights => Some(format!("after {nights} poor nights in a row")),
+    });
+    if let Some(Episode { every_days, lasts_days }) = days.episode {
+        let lasts = if lasts_days == 1 { "1 day".to_owned() } else { format!("{lasts_days} days") };
+        words.extend([format!("about every {every_days} days"), format!("for {lasts}")]);
+    }
     words
 }
 
@@ -346,65 +362,6 @@ fn fall_words(falling: &Falling, lies: bool) -> String {
     join([Some("falls".to_owned()), slowly, from.map(str::to_owned), ends.map(str::to_owned)], " ")
 }
 
-fn effect_words(change: &RoutineChange) -> String {
-    let part = change.when.part().map(|part| format!(" {}", part_words(part))).unwrap_or_default();
-    match &change.effect {
-        Effect::Shows { condition, severity } => {
-            let severe = severity_words(*severity).map(|word| format!("{word} ")).unwrap_or_default();
-            format!("she shows {severe}{}", condition.replace('-', " "))
-        }
-        Effect::Pace(by) => format!("she walks {}", factor(by, "faster", "slower", "as fast")),
-        Effect::PaceEachWeek(by) => {
-            let (by, word) = signed(by, "faster", "slower");
-            format!("she walks {} {word} every week", amount(&by, 1.0, "m/s", 0.0, ABOUT_SHARE))
-        }
-        Effect::Later { activity, by } => format!("she {} {}", phrase(activity), shift(by, "later", "earlier")),
-        Effect::LongerBy { activity, by } => format!("she {} {}", phrase(activity), shift(by, "longer", "shorter")),
-        Effect::Longer { activity, factor: by } => {
-            format!("she {} {}", phrase(activity), factor(by, "longer", "shorter", "as long"))
-        }
-        Effect::Oftener { activity, factor: by } if by.high <= 0.0 => format!("she never {}{part}", phrase(activity)),
-        Effect::Oftener { activity, factor: by } => {
-            format!("she {} {}{part}", phrase(activity), factor(by, "more often", "less often", "as often"))
-        }
-        Effect::Skips { activity } => format!("she does not {}", bare(&phrase(activity))),
-        Effect::Irregular(by) => format!("her hours vary {}", factor(by, "more", "less", "as much")),
-        Effect::Active { factor: by } => {
-            format!("she is {}{part}", factor(by, "more active", "less active", "as active"))
-        }
-        Effect::DaysDiffer(by) => format!("her days differ {}", factor(by, "more", "less", "as much")),
-        Effect::DaysAre { kind, very } => {
-            format!("she has a {}{} day", if *very { "very " } else { "" }, kind.word())
-        }
-        Effect::SleepsIn => "she sleeps in after a late night".to_owned(),
-        Effect::Restless(by) => {
-            format!("she sleeps {}", factor(by, "more restlessly", "less restlessly", "as restlessly"))
-        }
-        Effect::Forgets { thing } => format!("she forgets the {thing}"),
-        Effect::Shy { of: Shy::OpenFloor, .. } => "she keeps close to the walls".to_owned(),
-        Effect::Shy { of: Shy::People, .. } => "she keeps away from others".to_owned(),
-        Effect::Shy { of: Shy::GoingOn, gain } => format!("she stops {} times a minute as she wanders", number(*gain)),
-        Effect::Pulse(by) => {
-            let (by, word) = signed(by, "faster", "slower");
-            format!("her heart beats {} {word}", amount(&by, 1.0, "beats a minute", 0.0, ABOUT_SHARE))
-        }
-        Effect::Respiration(by) => {
-            let (by, word) = signed(by, "faster", "slower");
-            format!("she breathes {} {word}", amount(&by, 1.0, "breaths a minute", 0.0, ABOUT_SHARE))
-        }
-    }
-}
-
-/// The word for a severity; none for a moderate one.
-fn severity_words(severity: f64) -> Option<String> {
-    match severity {
-        0.5 => Some("mild".to_owned()),
-        1.0 => None,
-        1.5 => Some("severe".to_owned()),
-        severity => Some(format!("{} times moderate", number(severity))),
-    }
-}
-
 /// "goes" is "go".
 fn bare(phrase: &str) -> String {
     let (verb, rest) = phrase.split_once(' ').unwrap_or((phrase, ""));
@@ -415,52 +372,6 @@ fn bare(phrase: &str) -> String {
         verb => verb.strip_suffix('s').unwrap_or(verb).to_owned(),
     };
     join([Some(verb), Some(rest.to_owned()).filter(|rest| !rest.is_empty())], " ")
-}
-
-/// Amounts above zero, and the word for their sign.
-fn signed(by: &Fuzzy, more: &'static str, less: &'static str) -> (Fuzzy, &'static str) {
-    match by.high <= 0.0 {
-        true => (Fuzzy { low: -by.high, from: -by.to, to: -by.from, high: -by.low }, less),
-        false => (*by, more),
-    }
-}
-
-fn shift(by: &Fuzzy, more: &'static str, less: &'static str) -> String {
-    let (by, word) = signed(by, more, less);
-    let (size, unit) = unit(&by);
-    format!("{} {word}", amount(&by, size, unit, 0.0, ABOUT_SHARE))
-}
-
-/// "30 % longer", "10 to 20 % shorter", or "1.5 to 3 times as long".
-fn factor(by: &Fuzzy, more: &str, less: &str, times: &str) -> String {
-    let percent = |factor: f64| {
-        let percent = ((factor - 1.0) * 100.0).round();
-        (1.0 + percent / 100.0 == factor).then_some(percent)
-    };
-    let is_range = by.low == by.from && by.high == by.to;
-    match (percent(by.from), percent(by.to)) {
-        (Some(from), Some(to)) if is_range && from == to && from != 0.0 => {
-            format!("{} % {}", number(from.abs()), if from > 0.0 { more } else { less })
-        }
-        (Some(from), Some(to)) if is_range && from > 0.0 => format!("{} to {} % {more}", number(from), number(to)),
-        (Some(from), Some(to)) if is_range && to < 0.0 => format!("{} to {} % {less}", number(-to), number(-from)),
-        _ => about_percent(by, more, less)
-            .unwrap_or_else(|| format!("{} {times}", amount(by, 1.0, "times", 0.0, ABOUT_SHARE))),
-    }
-}
-
-/// "about 10 % slower": the spread is a share of the percentage.
-fn about_percent(by: &Fuzzy, more: &str, less: &str) -> Option<String> {
-    let (by, word) = signed(&by.map(|factor| (factor - 1.0) * 100.0), "", "-");
-    let spread = by.from * ABOUT_SHARE;
-    let is_about = by.from > 0.0
-        && (by.from - by.low - spread).abs() < 1e-6
-        && (by.high - by.to - by.to * ABOUT_SHARE).abs() < 1e-6;
-    let range = match (by.from.round(), by.to.round()) {
-        (from, to) if from == to => number(from),
-        (from, to) => format!("{} to {}", number(from), number(to)),
-    };
-    is_about.then(|| format!("about {range} % {}", if word == "-" { less } else { more }))
 }
 
 fn event(trigger: &RuleTrigger, lasts: bool) -> String {
@@ -479,6 +390,7 @@ fn event(trigger: &RuleTrigger, lasts: bool) -> String {
             format!("it is {}", clock(&Fuzzy::around(*from, PLAIN_TIME_S), "at"))
         }
         RuleTrigger::Follows => "she does so".to_owned(),
+        RuleTrigger::Wakes => "she wakes at night".to_owned(),
         state => so(state, true),
     }
 }
@@ -510,6 +422,7 @@ fn so(state: &RuleTrigger, holds: bool) -> String {
             }
         }
         RuleTrigger::Follows => "she does so".to_owned(),
+        RuleTrigger::Wakes => "she wakes at night".to_owned(),
     }
 }
 

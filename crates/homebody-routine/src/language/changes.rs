@@ -5,7 +5,7 @@ use super::messages::SentenceMessage;
 use super::parts::{Measure, Of, SlotKind};
 use super::productions::unsaid_chance;
 use super::value::{Clause, SentenceSubject, Verb};
-use crate::routine::{Activity, Effect, HabitChance, HabitTime, RoutineChange, Shy, When};
+use crate::routine::{Activity, Effect, HabitChance, HabitTime, PartOfDay, RoutineChange, Shy, When};
 use homebody_core::activity::TimeUse;
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 
@@ -19,6 +19,9 @@ const SLEEPS_LONGER_S: (f64, f64) = (1_800.0, 5_400.0);
 const PHASE_ALONE: &[SlotKind] = &[SlotKind::Phase];
 const PHASE: &[SlotKind] = &[SlotKind::Phase, SlotKind::Days];
 const PHASE_AND_PART: &[SlotKind] = &[SlotKind::Phase, SlotKind::Days, SlotKind::Part];
+/// Of a thing that is on from one time until another.
+const OF_THING: &[SlotKind] =
+    &[SlotKind::Phase, SlotKind::Days, SlotKind::Chance, SlotKind::Said, SlotKind::Until, SlotKind::Part];
 const PHASE_AND_CHANCE: &[SlotKind] = &[SlotKind::Phase, SlotKind::Days, SlotKind::Chance];
 
 pub const IS: &str = "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"";
@@ -32,19 +35,27 @@ pub fn change(builder: &mut Builder, clause: &Clause) {
     if let (Effect::DaysAre { .. }, Some(kind)) = (&effect, &clause.parts.kind) {
         return builder.fault(kind.span, SentenceMessage::WhichDays);
     }
+    if let Some(nights) = &clause.parts.poor_nights {
+        let text = builder.said(nights.span);
+        let reason = "an activity may follow a poor night, and a change may not".to_owned();
+        return builder.fault(nights.span, SentenceMessage::DoesNotFit { text, reason });
+    }
     let part = clause.parts.part.as_ref().and_then(|slot| slot.value.first()).copied();
-    let time = match effect {
-        Effect::Oftener { .. } | Effect::Active { .. } => part.map_or(HabitTime::AnyTime, HabitTime::Within),
-        _ => HabitTime::AnyTime,
+    let (time, until) = match effect {
+        Effect::Oftener { .. } | Effect::Active { .. } => (part.map_or(HabitTime::AnyTime, HabitTime::Within), None),
+        Effect::KeepsOn { .. } => keeping(builder, clause),
+        _ => (HabitTime::AnyTime, None),
     };
     let chance = match effect {
         Effect::DaysAre { .. } => days_chance(clause),
-        Effect::Skips { .. } | Effect::Forgets { .. } if chance(clause).is_some() => {
+        Effect::Skips { .. } | Effect::Forgets { .. } | Effect::KeepsOn { .. } | Effect::Range { .. }
+            if chance(clause).is_some() =>
+        {
             clause.parts.chance.as_ref().map_or(HabitChance::ALWAYS, |slot| slot.value.chance)
         }
         _ => HabitChance::ALWAYS,
     };
-    let when = When { phase, days: clause.parts.days(), chance, time, ..When::default() };
+    let when = When { phase, days: clause.parts.days(), chance, time, until, ..When::default() };
     let said = builder.quote(clause.span);
     builder.built.changes.push(RoutineChange { said, when, effect });
 }
@@ -107,6 +118,14 @@ fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [S
             needed_chance(builder, clause, format!("she skips {last} on 30 % of days"))?;
             (Effect::Skips { activity }, PHASE_AND_CHANCE)
         }
+        (Verb::KeepsOn(thing, _), None) => (Effect::KeepsOn { thing: thing.clone() }, OF_THING),
+        (Verb::Forgets(thing), None) if clause.parts.says_time() => {
+            (Effect::KeepsOn { thing: thing.clone() }, OF_THING)
+        }
+        (Verb::Range(place, inside), None) => {
+            (Effect::Range { place: place.clone(), inside: *inside }, PHASE_AND_CHANCE)
+        }
+        (Verb::Spares(thing), None) => (Effect::Spares { thing: thing.clone() }, PHASE),
         (Verb::Forgets(thing), None) => {
             needed_chance(builder, clause, format!("she forgets the {thing} on 5 % of occasions"))?;
             (Effect::Forgets { thing: thing.clone() }, PHASE_AND_CHANCE)
@@ -116,6 +135,28 @@ fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [S
             return None;
         }
     })
+}
+
+/// From when until when a thing is on: by the clock, or all night.
+fn keeping(builder: &mut Builder, clause: &Clause) -> (HabitTime, Option<Fuzzy>) {
+    let parts = &clause.parts;
+    let is_of_night = parts.part.as_ref().is_some_and(|slot| slot.value == [PartOfDay::Night]);
+    let when = parts.when.as_ref().and_then(|slot| slot.value.first());
+    let (time, until) = builder.time(when, parts, &Activity::Relax);
+    let is_whole_night = matches!(clause.verb, Verb::KeepsOn(_, true)) || is_of_night;
+    match (&time, &until) {
+        (HabitTime::At(_), Some(_)) => return (time, until),
+        _ if is_whole_night && when.is_none() && parts.until.is_none() => {}
+        _ => {
+            let (text, help) = (
+                builder.said(clause.verb_span),
+                "write \"from 20:00 until 22:00\", \"all night\", or how often she forgets it, \"on 5 % of occasions\""
+                    .to_owned(),
+            );
+            builder.fault(clause.verb_span, SentenceMessage::OpenChange { text, help });
+        }
+    }
+    (HabitTime::Within(PartOfDay::Night), None)
 }
 
 fn days_chance(clause: &Clause) -> HabitChance {

@@ -61,7 +61,9 @@ fn share_days(draft: &RoutineDraft, a: &Habit, b: &Habit) -> bool {
         None => false,
     };
     let is_other_kind = a.when.days.kind.zip(b.when.days.kind).is_some_and(|(a, b)| a != b);
+    let is_other_weather = a.when.days.weather.zip(b.when.days.weather).is_some_and(|(a, b)| a != b);
     !is_other_kind
+        && !is_other_weather
         && a.when.days.weekdays & b.when.days.weekdays != 0
         && a.when.days.months & b.when.days.months != 0
         && !before(a.when.phase.until, b.when.phase.from)
@@ -133,7 +135,9 @@ fn done_and_not_done(draft: &RoutineDraft, faults: &mut Faults) {
                 && change.when.days.months & habit.when.days.months == habit.when.days.months
                 && change.when.days.of_month == DaySelection::ALL.of_month
                 && (change.when.days.kind.is_none() || change.when.days.kind == habit.when.days.kind)
-                && change.when.days.every == 1;
+                && change.when.days.every == 1
+                && change.when.days.weather.is_none()
+                && change.when.days.episode.is_none();
             is_never && is_before && all_days && change.when.phase.until.is_none() && change.when.phase.over_days == 0.0
         });
         if let Some(never) = never {

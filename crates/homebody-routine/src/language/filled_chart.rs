@@ -57,6 +57,7 @@ pub fn filled_chart<'a>(
                     chart.give("PLACE", at, at + length, name.clone(), 1);
                     chart.give("ROOM", at, at + length, name, 0);
                 }
+                Sort::Floor => chart.give("FLOOR", at, at + length, name, 0),
                 Sort::Place => chart.give("PLACE", at, at + length, name, 0),
                 Sort::Thing => {
                     chart.give("PLACE", at, at + length, name.clone(), 2);

@@ -9,6 +9,7 @@ pub struct KnownNames {
     pub places: Vec<String>,
     pub things: Vec<String>,
     pub rooms: Vec<String>,
+    pub floors: Vec<String>,
     pub conditions: Vec<String>,
     pub first_date: Option<(i16, u8, u8)>,
     pub lexicon: Lexicon,

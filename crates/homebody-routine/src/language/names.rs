@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 pub enum Sort {
     Place,
     Room,
+    Floor,
     Thing,
     Condition,
 }
@@ -30,6 +31,7 @@ impl HomeNames {
         let sorts = [
             (&known.places, Sort::Place),
             (&known.rooms, Sort::Room),
+            (&known.floors, Sort::Floor),
             (&known.things, Sort::Thing),
             (&known.conditions, Sort::Condition),
         ];

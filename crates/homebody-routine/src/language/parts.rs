@@ -1,7 +1,9 @@
 //! Said, where, how often and how long: the parts of a sentence that stand in any order. Each fills a slot, once.
 
 use super::words::TextSpan;
-use crate::routine::{Activity, DayKind, DaySelection, FallEnds, FallsFrom, HabitChance, PartOfDay, PhaseDay};
+use crate::routine::{
+    Activity, DayKind, DaySelection, Episode, FallEnds, FallsFrom, HabitChance, PartOfDay, PhaseDay, Weather,
+};
 use homebody_core::fuzzy::Fuzzy;
 
 /// A time of the day in seconds since midnight. An open one is of either half of the day, and below twelve hours.
@@ -88,6 +90,7 @@ pub enum SlotKind {
     Measure,
     Fall,
     Visit,
+    Meanwhile,
 }
 
 macro_rules! parts {
@@ -138,6 +141,9 @@ parts! {
     every: u32, Days, "both say on which days";
     of_month: (u8, u8), Days, "both say on which days";
     kind: DayKind, Days, "both say on which days";
+    weather: Weather, Days, "both say in which weather";
+    episode: Episode, Days, "both say on which days";
+    poor_nights: u32, Days, "both say after which nights";
     part: Vec<PartOfDay>, Part, "both say at which time of the day";
     when: Vec<Said>, Said, "both say at which time";
     lasts: Fuzzy, Lasts, "both say how long";
@@ -152,6 +158,7 @@ parts! {
     for_days: f64, Phase, "both say for how long";
     nights: u32, Phase, "both say for how long";
     key: (), Visit, "both say how the visitor comes in";
+    thing_on: String, Meanwhile, "both say what is on meanwhile";
     over: f64, Phase, "both say over which time";
     fading: f64, Phase, "both say over which time";
     place: String, Place, "both say where";
@@ -191,8 +198,8 @@ impl Parts {
         let says_days = self.says_weekdays();
         self.fill(other, false, |name| match name {
             "chance" | "becomes" | "weekdays" | "every" | "of_month" => !says_days,
-            "except_days" | "months" | "except_months" | "kind" | "from" | "until_day" | "for_days" | "nights"
-            | "over" | "fading" => true,
+            "except_days" | "months" | "except_months" | "kind" | "weather" | "episode" | "poor_nights" | "from"
+            | "until_day" | "for_days" | "nights" | "over" | "fading" => true,
             _ => false,
         });
         self
@@ -201,6 +208,22 @@ impl Parts {
     /// What is said here, and all of the rest that another clause says.
     pub fn with_rest_of(mut self, other: &Parts) -> Parts {
         self.fill(other, true, |_| true);
+        self
+    }
+
+    /// "About once every 2 months, for a week": the days in a row of an episode that begins at random.
+    pub fn with_episode(mut self) -> Parts {
+        /// Smallest ratio of the time between two beginnings to the length (our choice).
+        const LEAST_APART: f64 = 1.5;
+        let is_open = self.from.is_none() && self.until_day.is_none() && self.episode.is_none();
+        let (Some(chance), Some(for_days), true) = (&self.chance, &self.for_days, is_open) else { return self };
+        let (every_days, lasts_days) = ((1.0 / chance.value.chance.probability).round(), for_days.value);
+        if chance.value.is_rate && chance.value.chance.becomes.is_none() && every_days >= LEAST_APART * lasts_days {
+            let episode = Episode { every_days: every_days as u32, lasts_days: lasts_days as u32 };
+            let (span, own) = (chance.span.to(for_days.span), chance.own);
+            self.episode = Some(Slot { value: episode, span, own });
+            (self.chance, self.for_days) = (None, None);
+        }
         self
     }
 
@@ -246,6 +269,9 @@ impl Parts {
             every: if is_of_weeks { every / 7 } else { every },
             of_month: self.of_month.as_ref().map_or(DaySelection::ALL.of_month, |slot| slot.value),
             kind: self.kind.as_ref().map(|slot| slot.value),
+            weather: self.weather.as_ref().map(|slot| slot.value),
+            episode: self.episode.as_ref().map(|slot| slot.value),
+            poor_nights: self.poor_nights.as_ref().map_or(0, |slot| slot.value),
         }
     }
 }

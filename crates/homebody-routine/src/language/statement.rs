@@ -27,7 +27,7 @@ pub enum Statement {
     Event(Habit),
     /// A change of other statements or of the resident, or a condition.
     Change(RoutineChange),
-    /// A thing that stays on or open.
+    /// A thing that stays on or open, or is not used.
     Thing(RoutineChange),
     /// A response to a state or an event.
     Rule(RoutineRule),
@@ -48,7 +48,7 @@ impl Statement {
 
     pub fn from_change(change: RoutineChange) -> Statement {
         match change.effect {
-            Effect::Forgets { .. } => Statement::Thing(change),
+            Effect::Forgets { .. } | Effect::KeepsOn { .. } | Effect::Spares { .. } => Statement::Thing(change),
             _ => Statement::Change(change),
         }
     }

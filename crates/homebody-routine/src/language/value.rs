@@ -4,6 +4,7 @@ use super::parts::{Chance, ClockTime, Measure, Parts, TimeOfDay};
 use super::words::TextSpan;
 use crate::routine::{
     Activity, Circumstance, DayKind, Falling, Lapse, PartOfDay, PhaseDay, ResidentKind, Response, RuleTrigger, Shy,
+    Weather,
 };
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::Fuzzy;
@@ -22,6 +23,7 @@ pub enum PhraseValue {
     PartOfDay(Vec<PartOfDay>),
     Chance(Chance),
     DayKind(DayKind),
+    Weather(Weather),
     /// "Sundays", "winter mornings": which days, and which part of them.
     DayNoun(Option<u8>, Option<PartOfDay>),
     Parts(Box<Parts>),
@@ -78,6 +80,8 @@ pub enum Verb {
     Is,
     Walks,
     Pace(Fuzzy),
+    /// After so many metres.
+    Rests(f64),
     Does(Act),
     /// "Eats", of the meal that was prepared.
     Eats,
@@ -89,6 +93,11 @@ pub enum Verb {
     Skips(Act),
     Shows(String, f64),
     Forgets(String),
+    /// A thing is on, all night or at the time of the sentence.
+    KeepsOn(String, bool),
+    Spares(String),
+    /// Keeps to a room or floor if true, else avoids it.
+    Range(String, bool),
     Sleeps,
     Lively(DayKind, bool),
     Differ,

@@ -17,6 +17,10 @@ pub struct DaySelection {
     /// First and last day of the month: from 1 to 7 with Mondays selects the first Monday, from 0 to 7 the last week.
     pub of_month: (u8, u8),
     pub kind: Option<DayKind>,
+    pub weather: Option<Weather>,
+    pub episode: Option<Episode>,
+    /// Least number of poor nights in a row before.
+    pub poor_nights: u32,
 }
 
 impl Default for DaySelection {
@@ -99,6 +103,14 @@ struct DayNames {
     of_month: Option<(u8, u8)>,
     #[serde(skip_serializing_if = "Option::is_none")]
     kind: Option<DayKind>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    weather: Option<Weather>,
+    /// Days in a row that begin at random.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    episode: Option<Episode>,
+    /// Least number of poor nights in a row before.
+    #[serde(skip_serializing_if = "super::is_usual")]
+    poor_nights: u32,
 }
 
 impl From<DaySelection> for DayNames {
@@ -114,6 +126,9 @@ impl From<DaySelection> for DayNames {
             every: Some(days.every).filter(|every| *every != all.every),
             of_month: Some(days.of_month).filter(|of| *of != all.of_month),
             kind: days.kind,
+            weather: days.weather,
+            episode: days.episode,
+            poor_nights: days.poor_nights,
         }
     }
 }
@@ -129,8 +144,45 @@ impl From<DayNames> for DaySelection {
             every: names.every.unwrap_or(all.every),
             of_month: names.of_month.unwrap_or(all.of_month),
             kind: names.kind,
+            weather: names.weather,
+            episode: names.episode,
+            poor_nights: names.poor_nights,
         }
     }
+}
+
+/// The weather of a day.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Weather {
+    Dry,
+    /// With rain or snow.
+    Rainy,
+    /// With a high of 32 °C or more.
+    Hot,
+    /// With a low of 0 °C or less.
+    Frosty,
+}
+
+impl Weather {
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Weather::Dry => "dry",
+            Weather::Rainy => "rainy",
+            Weather::Hot => "hot",
+            Weather::Frosty => "frosty",
+        }
+    }
+}
+
+/// Days in a row that begin at random.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Episode {
+    /// Mean number of days from one beginning to the next.
+    pub every_days: u32,
+    /// Length in days.
+    pub lasts_days: u32,
 }
 
 /// The activity level of a day relative to others.
@@ -182,8 +234,16 @@ pub enum PhaseDay {
 }
 
 impl DaySelection {
-    pub const ALL: DaySelection =
-        DaySelection { weekdays: 0x7f, months: 0xfff, every: 1, of_month: (1, 31), kind: None };
+    pub const ALL: DaySelection = DaySelection {
+        weekdays: 0x7f,
+        months: 0xfff,
+        every: 1,
+        of_month: (1, 31),
+        kind: None,
+        weather: None,
+        episode: None,
+        poor_nights: 0,
+    };
 }
 
 impl From<PhaseDay> for String {

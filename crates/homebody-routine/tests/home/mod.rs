@@ -20,6 +20,7 @@ pub fn home() -> KnownNames {
             "stove, fridge, front door, bedroom door, television, lamp, washing machine, armchair, bed, sofa, door bell, telephone",
         ),
         rooms: list("bedroom, bathroom, kitchen, living room, hall"),
+        floors: list("ground floor, upper floor"),
         conditions: list("depression, heart-failure, urinary-tract-infection, cognitive-decline"),
         first_date: Some((2009, 3, 2)),
         ..KnownNames::default()
@@ -43,7 +44,8 @@ pub fn short(routine: &Routine) -> String {
     let person = routine.person.as_ref().map(|person| {
         let age = person.age_years.map(|age| format!(" age {age}")).unwrap_or_default();
         let pace = person.pace_mps.map(|pace| format!(" pace {}", fuzzy(&pace))).unwrap_or_default();
-        format!("{} {:?}{age}{pace}", person.name, person.kind)
+        let rests = person.rests.map(|rests| format!(" rests {} m {}", rests.after_m, fuzzy(&rests.lasts)));
+        format!("{} {:?}{age}{pace}{}", person.name, person.kind, rests.unwrap_or_default())
     });
     let habits = routine.habits.iter().map(habit);
     let parts = person.into_iter().chain(habits).chain(routine.rules.iter().map(rule));
@@ -64,6 +66,9 @@ fn habit(habit: &Habit) -> String {
     }
     if let Some(place) = &habit.place {
         text += &format!(" @{place}");
+    }
+    if let Some(thing) = &habit.thing_on {
+        text += &format!(" with {thing} on");
     }
     text += &chance(&habit.when.chance);
     text += &days(&habit.when.days);
@@ -117,6 +122,15 @@ fn days(days: &DaySelection) -> String {
     }
     if days.every != 1 {
         text += &format!(" every {}", days.every);
+    }
+    if let Some(weather) = days.weather {
+        text += &format!(" {weather:?}");
+    }
+    if let Some(episode) = days.episode {
+        text += &format!(" for {} days every {}", episode.lasts_days, episode.every_days);
+    }
+    if days.poor_nights > 0 {
+        text += &format!(" after {} poor nights", days.poor_nights);
     }
     text
 }
@@ -179,6 +193,13 @@ fn change(change: &RoutineChange) -> String {
         Effect::Irregular(by) => format!("Irregular {}", fuzzy(by)),
         Effect::Active { factor } => format!("Active{part} {}", fuzzy(factor)),
         Effect::Restless(by) => format!("Restless {}", fuzzy(by)),
+        Effect::KeepsOn { thing } => format!(
+            "KeepsOn {thing}{}{} {probability}",
+            when(&change.when.time),
+            change.when.until.as_ref().map(|until| format!(" until {}", fuzzy(until))).unwrap_or_default()
+        ),
+        Effect::Range { place, inside } => format!("Range {place} {inside} {probability}"),
+        Effect::Spares { thing } => format!("Spares {thing}"),
         Effect::Forgets { thing } => format!("Forgets {thing} {probability}"),
         Effect::Shy { of, gain } => format!("Shy {of:?} {gain}"),
         Effect::Pulse(by) => format!("Pulse {}", fuzzy(by)),

@@ -10,7 +10,14 @@ fn ways(activity: &Activity, places: &HomePlaces) -> BTreeSet<String> {
     let steps = (0..40).flat_map(|seed| {
         let mut stream = Stream::named(seed, "script");
         let at = places.for_role(Role::Armchair).unwrap().at;
-        let mut setting = ActivitySetting { places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
+        let mut setting = ActivitySetting {
+            places,
+            at,
+            stream: &mut stream,
+            forgotten: Vec::new(),
+            spared: Vec::new(),
+            movement: 1.0,
+        };
         script(activity, None, 20 * MINUTE, None, &mut setting)
     });
     let goes = steps.filter_map(|step| match step {
@@ -30,8 +37,14 @@ fn the_roles_that_are_acted_on_are_those_of_the_scripts() {
     for activity in USUAL.iter().chain(&[Activity::Shower, Activity::TakeMedicine, Activity::Visit]) {
         for seed in 0..40 {
             let (mut stream, at) = (Stream::named(seed, "script"), places.for_role(Role::Armchair).unwrap().at);
-            let mut setting =
-                ActivitySetting { places: &places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
+            let mut setting = ActivitySetting {
+                places: &places,
+                at,
+                stream: &mut stream,
+                forgotten: Vec::new(),
+                spared: Vec::new(),
+                movement: 1.0,
+            };
             let steps = script(activity, None, 20 * MINUTE, None, &mut setting);
             acted.extend(steps.into_iter().filter_map(|step| match step {
                 ActivityStep::Act(thing, _) => Some(places.thing_name(thing).to_owned()),

@@ -30,7 +30,12 @@ impl Builder<'_> {
     }
 
     /// When, and until when, with times after midnight counted on where they belong to the night before.
-    pub(super) fn time(&mut self, when: Option<&Said>, parts: &Parts, doing: &Activity) -> (HabitTime, Option<Fuzzy>) {
+    pub(in crate::language) fn time(
+        &mut self,
+        when: Option<&Said>,
+        parts: &Parts,
+        doing: &Activity,
+    ) -> (HabitTime, Option<Fuzzy>) {
         /// Time before the given hour within which a person who gets up by then does so (our choice).
         const BY_S: f64 = 1_800.0;
         let at_night = parts.part.as_ref().is_some_and(|slot| slot.value == [PartOfDay::Night]);

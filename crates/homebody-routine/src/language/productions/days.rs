@@ -6,7 +6,7 @@ use crate::language::calendar::{self, LAST_WEEK};
 use crate::language::messages::TimeSentenceMessage;
 use crate::language::parts::Parts;
 use crate::language::value::PhraseValue;
-use crate::routine::{DayKind, DaySelection, PartOfDay, PhaseDay};
+use crate::routine::{DayKind, DaySelection, PartOfDay, PhaseDay, Weather};
 
 pub fn named(name: &str) -> Option<Production> {
     Some(match name {
@@ -68,6 +68,21 @@ pub fn named(name: &str) -> Option<Production> {
         "of_kind" => |a| {
             let kind = a.one(as_kind)?;
             parts(Parts { kind: a.slot(kind), ..Parts::default() })
+        },
+        "of_weather" => |a| {
+            let weather = a.one(|value| match value {
+                PhraseValue::Weather(weather) => Some(*weather),
+                _ => None,
+            })?;
+            parts(Parts { weather: a.slot(weather), ..Parts::default() })
+        },
+        "weather" => |a| {
+            let all = [Weather::Dry, Weather::Rainy, Weather::Hot, Weather::Frosty];
+            all.into_iter().find(|one| format!("{one:?}") == a.constant(0)).map(PhraseValue::Weather)
+        },
+        "poor_nights" => |a| {
+            let nights = a.numbers().first().map_or(1, |nights| *nights as u32);
+            parts(Parts { poor_nights: a.slot(nights), ..Parts::default() }).filter(|_| nights > 0)
         },
         "kind" => |a| Some(PhraseValue::DayKind(if a.constant(0) == "Quiet" { DayKind::Quiet } else { DayKind::Busy })),
         "date" => |a| match a.kids[0].value.as_ref() {

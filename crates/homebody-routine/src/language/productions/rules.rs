@@ -117,6 +117,7 @@ fn plain(name: &str) -> Option<RuleTrigger> {
         "Alone" => RuleTrigger::Alone,
         "Sitting" => RuleTrigger::Sitting,
         "Follows" => RuleTrigger::Follows,
+        "Wakes" => RuleTrigger::Wakes,
         _ => return None,
     })
 }

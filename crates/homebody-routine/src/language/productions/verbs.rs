@@ -5,7 +5,7 @@ use super::days::as_kind;
 use super::numbers::{as_range, duration};
 use super::times::{as_part, as_parts};
 use crate::language::amounts::ABOUT_PACE_SHARE;
-use crate::language::messages::TimeSentenceMessage;
+use crate::language::messages::{SentenceMessage, TimeSentenceMessage};
 use crate::language::parts::Parts;
 use crate::language::productions::measures::FASTEST_MPS;
 use crate::language::value::{Act, PhraseValue, Range, SentenceSubject, Verb};
@@ -13,6 +13,11 @@ use crate::language::words::TextSpan;
 use crate::routine::{Activity, DayKind, FallEnds, Falling, FallsFrom, Meal, ResidentKind, Shy};
 use homebody_core::activity::Help;
 use homebody_core::fuzzy::Fuzzy;
+use homebody_core::role::Role;
+
+/// Shortest and longest stretch of a person who rests on the way, in metres (our choice).
+const SHORTEST_STRETCH_M: f64 = 1.0;
+const LONGEST_STRETCH_M: f64 = 1_000.0;
 
 pub fn named(name: &str) -> Option<Production> {
     Some(match name {
@@ -78,6 +83,10 @@ pub fn named(name: &str) -> Option<Production> {
                 .then_some(PhraseValue::Verb(Verb::Skips(act)))
         },
         "forgets" => |a| Some(PhraseValue::Verb(Verb::Forgets(a.name()?))),
+        "keeps_on" => |a| Some(PhraseValue::Verb(Verb::KeepsOn(a.name()?, a.has("night")))),
+        "keeps_to" => |a| Some(PhraseValue::Verb(Verb::Range(a.name()?, a.has("inside")))),
+        "spares" => |a| Some(PhraseValue::Verb(Verb::Spares(a.name()?))),
+        "uses_for" => |a| Some(PhraseValue::Verb(Verb::Does(Act { place: a.name(), ..a.act()? }))),
         "age" => |a| {
             let age = a.numbers()[0];
             if age <= 0.0 || age > 130.0 {
@@ -102,6 +111,15 @@ pub fn named(name: &str) -> Option<Production> {
             let share = if range.about { ABOUT_PACE_SHARE } else { 0.0 };
             let (low, high) = (range.from * (1.0 - share), range.to * (1.0 + share));
             Some(PhraseValue::Verb(Verb::Pace(Fuzzy { low, from: range.from, to: range.to, high })))
+        },
+        "rests" => |a| {
+            let metres = a.numbers()[0];
+            if !(SHORTEST_STRETCH_M..=LONGEST_STRETCH_M).contains(&metres) {
+                let text = a.said(a.kids[0].span);
+                let reason = format!("a stretch has {SHORTEST_STRETCH_M} to {LONGEST_STRETCH_M} m");
+                a.fault(a.kids[0].span, SentenceMessage::DoesNotFit { text, reason });
+            }
+            Some(PhraseValue::Verb(Verb::Rests(metres)))
         },
         "stays" => {
             |a| Some(PhraseValue::Verb(Verb::Stays(if a.has("GetUp") { Activity::GetUp } else { Activity::GoToBed })))
@@ -159,6 +177,11 @@ pub fn named(name: &str) -> Option<Production> {
         "place" => |a| {
             let name = a.name()?;
             parts(Parts { place: a.slot(name), ..Parts::default() })
+        },
+        "meanwhile_on" => |a| parts(Parts { thing_on: a.slot(a.name()?), ..Parts::default() }),
+        "before_screen" => |a| {
+            let name = a.name().filter(|name| Role::Television.is_called(&name.to_lowercase()))?;
+            parts(Parts { thing_on: a.slot(name), ..Parts::default() })
         },
         "key" => |a| parts(Parts { key: a.slot(()), ..Parts::default() }),
         "floor" => |a| parts(Parts { floor: a.slot(()), ..Parts::default() }),
