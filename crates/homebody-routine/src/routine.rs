@@ -3,7 +3,7 @@
 //! It holds only what the text states; defaults, such as the length of a breakfast, come later.
 
 pub use activity::{Activity, Meal};
-pub use days::{DayKind, DaySelection, Episode, PartOfDay, Phase, PhaseDay, Weather};
+pub use days::{DayEpisode, DayKind, DaySelection, PartOfDay, Phase, PhaseDay, Weather};
 pub use falling::{FallEnds, Falling, FallsFrom, USUAL_SHARE};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 use schemars::JsonSchema;

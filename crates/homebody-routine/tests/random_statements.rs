@@ -6,8 +6,8 @@ use homebody_core::random::Stream;
 use homebody_routine::language::activities::phrase;
 use homebody_routine::language::routine;
 use homebody_routine::routine::{
-    Activity, DayKind, DaySelection, Effect, Episode, Habit, HabitChance, HabitTime, Meal, PartOfDay, Phase, PhaseDay,
-    Quote, Routine, RoutineChange, Weather, When,
+    Activity, DayEpisode, DayKind, DaySelection, Effect, Habit, HabitChance, HabitTime, Meal, PartOfDay, Phase,
+    PhaseDay, Quote, Routine, RoutineChange, Weather, When,
 };
 use homebody_routine::statement::{statements, text};
 use std::fmt::Debug;
@@ -59,7 +59,7 @@ impl Draw {
             6 => days.weather = Some(self.one(&[Weather::Dry, Weather::Rainy, Weather::Hot, Weather::Frosty])),
             7 => {
                 let (every_days, lasts_days) = (self.number(20, 90) as u32, self.number(1, 10) as u32);
-                days.episode = Some(Episode { every_days, lasts_days });
+                days.episode = Some(DayEpisode { every_days, lasts_days });
             }
             _ => {}
         }

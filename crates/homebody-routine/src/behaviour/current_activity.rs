@@ -141,6 +141,17 @@ pub(super) struct VisitorStay {
     pub(super) helps: bool,
 }
 
+/// The sleep of the present night, and of those before.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct SleepRecord {
+    pub(super) awake: Span,
+    pub(super) awake_since: Option<RunTime>,
+    /// Whether the waking is still to be answered by rules: after a way to the toilet.
+    pub(super) is_open: bool,
+    /// Number of poor nights in a row.
+    pub(super) poor: u32,
+}
+
 /// The purpose of walks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum WalkPurpose {

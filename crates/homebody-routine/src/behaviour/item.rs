@@ -75,6 +75,13 @@ pub enum Following {
     Meanwhile,
 }
 
+/// A thing that stays on until then, whatever else is done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct HeldThing {
+    pub(super) thing: u32,
+    pub(super) until: RunTime,
+}
+
 impl Item {
     pub fn now(key: String, activity: Activity, lasts: Span) -> Item {
         Item {

@@ -7,8 +7,8 @@
 //! file does.
 
 use crate::routine::{
-    Circumstance, DaySelection, Effect, Episode, Habit, HabitTime, Phase, PhaseDay, Response, Routine, RoutineChange,
-    RoutineRule, RuleTrigger,
+    Circumstance, DayEpisode, DaySelection, Effect, Habit, HabitTime, Phase, PhaseDay, Response, Routine,
+    RoutineChange, RoutineRule, RuleTrigger,
 };
 use homebody_core::fuzzy::Fuzzy;
 use std::collections::BTreeMap;
@@ -118,7 +118,7 @@ fn days_key(days: &DaySelection) -> String {
     if let Some(weather) = weather {
         text += &format!(" in {} weather", weather.word());
     }
-    if let Some(Episode { every_days, lasts_days }) = episode {
+    if let Some(DayEpisode { every_days, lasts_days }) = episode {
         text += &format!(" in episodes {every_days} {lasts_days}");
     }
     if poor_nights > 0 {

@@ -1,7 +1,7 @@
 //! Things that are on during something else, or from one time until another.
 
 use super::driver::RoutineDriver;
-use super::item::{Following, Follows, Item, Turning};
+use super::item::{Following, Follows, HeldThing, Item, Turning};
 use super::manner::Manner;
 use super::places::HomePlace;
 use super::script::{ActivityStep, Interruptible, StayStep};
@@ -26,13 +26,6 @@ const AFTER_RISING: Span = MINUTE.times(3);
 
 /// Time after the start of watching television at which what is done meanwhile begins (our choice).
 const SETTLED: Span = MINUTE.times(2);
-
-/// A thing that stays on until then, whatever else is done.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct HeldThing {
-    thing: u32,
-    until: RunTime,
-}
 
 impl RoutineDriver {
     /// The stated place, or that of the activity meanwhile, or a seat within sight of the thing that is on.

@@ -1,5 +1,6 @@
 //! Wakings of the night, which rules answer, and poor nights.
 
+use super::current_activity::SleepRecord;
 use super::driver::RoutineDriver;
 use super::item::Item;
 use homebody_core::activity::SLEEPING;
@@ -12,17 +13,6 @@ homebody_core::numbers! {
 
 /// Time out of bed of a visit to the toilet at night (our choice).
 const TOILET_TRIP: Span = MINUTE.times(5);
-
-/// The sleep of the present night, and of those before.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct SleepRecord {
-    awake: Span,
-    awake_since: Option<RunTime>,
-    /// Whether the waking is still to be answered by rules: after a way to the toilet.
-    is_open: bool,
-    /// Number of poor nights in a row.
-    poor: u32,
-}
 
 impl RoutineDriver {
     /// Takes note of a waking, or of falling asleep again, at the beginning of an activity of this name.

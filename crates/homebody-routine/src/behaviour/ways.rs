@@ -58,7 +58,7 @@ fn with_rests(
             left = MotionSegment { begin: left.begin + lasts, end: left.end + lasts, ..left };
             (*walked_m, delay) = (0.0, delay + lasts);
         }
-        // A turn is no rest.
+        // A turn is too short to be a rest.
         let is_rest = !matches!(left.doing, MotionState::Stride { .. }) && left.end - left.begin >= LEAST_REST;
         *walked_m = if is_rest { 0.0 } else { *walked_m + metres(&left) };
         all.push(left);

@@ -1,7 +1,7 @@
 //! The weather of a day, and days that begin at random, drawn from streams of their own.
 
 use super::resident_routine::ResidentRoutine;
-use crate::routine::{DaySelection, Episode, Weather};
+use crate::routine::{DayEpisode, DaySelection, Weather};
 use homebody_core::random::Stream;
 
 /// Days of each month with at least 0.01 inches of rain or snow, with a high of 90 °F or more, and with a low of 32 °F or
@@ -43,7 +43,7 @@ impl ResidentRoutine {
     }
 
     /// Whether a day lies in an episode. Those of equal frequency and length are the same days.
-    fn is_in(&self, episode: Episode, day: i32) -> bool {
+    fn is_in(&self, episode: DayEpisode, day: i32) -> bool {
         let begins = |day: i32| -> bool {
             let mut stream: Stream =
                 self.stream_of_day(day, &format!("episode/{}/{}", episode.every_days, episode.lasts_days));

@@ -1,17 +1,19 @@
 //! The one sentence that says each statement of a routine in full: the language reads it back as the same statement.
 
 use super::activities::phrase;
-use super::amounts::{ABOUT_SHARE, DAY_S, PLAIN_SHARE};
+use super::amounts::DAY_S;
 use super::calendar::LAST_WEEK;
-use super::times::{ABOUT_TIME_S, PLAIN_TIME_S};
+use super::times::PLAIN_TIME_S;
 use crate::routine::{
-    Activity, Circumstance, DaySelection, Episode, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
+    Activity, Circumstance, DayEpisode, DaySelection, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
     PartOfDay, Phase, PhaseDay, ResidentKind, Response, RoutineChange, RoutinePerson, RoutineRule, RuleTrigger, When,
 };
 use effects::effect_words;
 use homebody_core::fuzzy::Fuzzy;
+use words::{amount, bare, clock, duration, join, number, part_words};
 
 mod effects;
+mod words;
 
 pub fn person_sentences(person: &RoutinePerson) -> Vec<String> {
     let name = &person.name;
@@ -176,7 +178,7 @@ fn days_words(days: &DaySelection) -> Vec<String> {
         1 => Some("after a poor night".to_owned()),
         nights => Some(format!("after {nights} poor nights in a row")),
     });
-    if let Some(Episode { every_days, lasts_days }) = days.episode {
+    if let Some(DayEpisode { every_days, lasts_days }) = days.episode {
         let lasts = if lasts_days == 1 { "1 day".to_owned() } else { format!("{lasts_days} days") };
         words.extend([format!("about every {every_days} days"), format!("for {lasts}")]);
     }
@@ -225,15 +227,6 @@ fn is_span(time: &HabitTime) -> bool {
     matches!(time, HabitTime::Within(PartOfDay::Night | PartOfDay::Day))
 }
 
-fn part_words(part: PartOfDay) -> String {
-    match part {
-        PartOfDay::Noon => "at noon".to_owned(),
-        PartOfDay::Night => "at night".to_owned(),
-        PartOfDay::Day => "during the day".to_owned(),
-        part => format!("in the {}", part.word()),
-    }
-}
-
 fn time_words(time: &HabitTime) -> Option<String> {
     let gap = |gap: &Option<Fuzzy>, word: &str, of: &Activity| {
         let gap = gap.as_ref().map(|gap| format!("{} ", duration(gap))).unwrap_or_default();
@@ -250,77 +243,6 @@ fn time_words(time: &HabitTime) -> Option<String> {
     }
 }
 
-/// A time of day; one after midnight that belongs to the evening before is "at night".
-fn clock(at: &Fuzzy, word: &str) -> String {
-    let of = |seconds: f64| {
-        let minutes = (seconds.rem_euclid(DAY_S) / 60.0).round() as u32;
-        format!("{:02}:{:02}", minutes / 60, minutes % 60)
-    };
-    let mut text = of(at.from);
-    if at.from < at.to {
-        text += &format!(" and {}", of(at.to));
-    }
-    let about = match at.from - at.low {
-        PLAIN_TIME_S if at.from == at.to => String::new(),
-        0.0 if at.from < at.to => String::new(),
-        ABOUT_TIME_S if at.from == at.to => {
-            text = format!("about {text}");
-            String::new()
-        }
-        give_or_take => format!(", give or take {},", exactly(give_or_take)),
-    };
-    let of_night = if at.from >= DAY_S && word != "until" { " at night" } else { "" };
-    format!("{text}{of_night}{about}")
-}
-
-fn duration(lasts: &Fuzzy) -> String {
-    let (size, unit) = unit(lasts);
-    amount(lasts, size, unit, PLAIN_SHARE, ABOUT_SHARE)
-}
-
-/// The largest unit in which all numbers are whole.
-fn unit(lasts: &Fuzzy) -> (f64, &'static str) {
-    let is_whole = |size: f64| [lasts.from, lasts.to].iter().all(|value| value % size == 0.0);
-    let units = [(86_400.0, "days"), (3600.0, "hours"), (60.0, "minutes")];
-    units.into_iter().find(|(size, _)| is_whole(*size)).unwrap_or((1.0, "seconds"))
-}
-
-/// A number or a range with its unit. `plain` and `about` are the spreads of a number without and with "about".
-fn amount(value: &Fuzzy, size: f64, unit: &str, plain: f64, about: f64) -> String {
-    let Fuzzy { low, from, to, high } = *value;
-    let range = match from == to {
-        true => number(from / size),
-        false => format!("{} to {}", number(from / size), number(to / size)),
-    };
-    let spreads = |share: f64| is_near(low, from - from * share) && is_near(high, to + to * share);
-    let unit = if range == "1" { unit.trim_end_matches('s') } else { unit };
-    match (from == to, low == from && high == to) {
-        (true, _) if spreads(plain) => format!("{range} {unit}"),
-        (false, true) => format!("{range} {unit}"),
-        _ if spreads(about) => format!("about {range} {unit}"),
-        _ => format!("{range} {unit}, give or take {},", give_or_take(from - low, unit)),
-    }
-}
-
-fn give_or_take(spread: f64, unit: &str) -> String {
-    match unit {
-        "m/s" => format!("{} m/s", number(spread)),
-        _ => exactly(spread),
-    }
-}
-
-/// A duration without a spread.
-fn exactly(seconds: f64) -> String {
-    let (size, unit) = if seconds == 0.0 { (60.0, "minutes") } else { unit(&Fuzzy::exactly(seconds)) };
-    let count = number(seconds / size);
-    let unit = if count == "1" { unit.trim_end_matches('s') } else { unit };
-    format!("{count} {unit}")
-}
-
-fn is_near(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
-}
-
 /// "on 30 % of days"; "one day in three", as a percentage would not give the same number again.
 fn share_words(share: f64, of: &str) -> String {
     let percent = (share * 100.0).round();
@@ -330,10 +252,6 @@ fn share_words(share: f64, of: &str) -> String {
         share if share == 1.0 / 3.0 && of == "days" => "one day in three".to_owned(),
         share => format!("on {} % of {of}", number(share * 100.0)),
     }
-}
-
-fn number(value: f64) -> String {
-    (value + 0.0).to_string()
 }
 
 /// The words of a visitor: a name, or the relation to the resident.
@@ -360,18 +278,6 @@ fn fall_words(falling: &Falling, lies: bool) -> String {
     };
     let ends = ends.filter(|_| !lies);
     join([Some("falls".to_owned()), slowly, from.map(str::to_owned), ends.map(str::to_owned)], " ")
-}
-
-/// "goes" is "go".
-fn bare(phrase: &str) -> String {
-    let (verb, rest) = phrase.split_once(' ').unwrap_or((phrase, ""));
-    let verb = match verb {
-        "has" => "have".to_owned(),
-        "does" | "goes" => verb.trim_end_matches("es").to_owned(),
-        "washes" | "watches" | "dozes" => verb.trim_end_matches('s').trim_end_matches('e').to_owned(),
-        verb => verb.strip_suffix('s').unwrap_or(verb).to_owned(),
-    };
-    join([Some(verb), Some(rest.to_owned()).filter(|rest| !rest.is_empty())], " ")
 }
 
 fn event(trigger: &RuleTrigger, lasts: bool) -> String {
@@ -486,10 +392,6 @@ fn list(names: &[&str]) -> String {
         [one] => (*one).to_owned(),
         [others @ .., last] => format!("{} and {last}", others.join(", ")),
     }
-}
-
-fn join<const N: usize>(parts: [Option<String>; N], between: &str) -> String {
-    parts.into_iter().flatten().collect::<Vec<_>>().join(between)
 }
 
 /// A sentence of front parts and a clause, with a capital letter and one full stop.

@@ -2,7 +2,7 @@
 
 use super::words::TextSpan;
 use crate::routine::{
-    Activity, DayKind, DaySelection, Episode, FallEnds, FallsFrom, HabitChance, PartOfDay, PhaseDay, Weather,
+    Activity, DayEpisode, DayKind, DaySelection, FallEnds, FallsFrom, HabitChance, PartOfDay, PhaseDay, Weather,
 };
 use homebody_core::fuzzy::Fuzzy;
 
@@ -142,7 +142,7 @@ parts! {
     of_month: (u8, u8), Days, "both say on which days";
     kind: DayKind, Days, "both say on which days";
     weather: Weather, Days, "both say in which weather";
-    episode: Episode, Days, "both say on which days";
+    episode: DayEpisode, Days, "both say on which days";
     poor_nights: u32, Days, "both say after which nights";
     part: Vec<PartOfDay>, Part, "both say at which time of the day";
     when: Vec<Said>, Said, "both say at which time";
@@ -219,7 +219,7 @@ impl Parts {
         let (Some(chance), Some(for_days), true) = (&self.chance, &self.for_days, is_open) else { return self };
         let (every_days, lasts_days) = ((1.0 / chance.value.chance.probability).round(), for_days.value);
         if chance.value.is_rate && chance.value.chance.becomes.is_none() && every_days >= LEAST_APART * lasts_days {
-            let episode = Episode { every_days: every_days as u32, lasts_days: lasts_days as u32 };
+            let episode = DayEpisode { every_days: every_days as u32, lasts_days: lasts_days as u32 };
             let (span, own) = (chance.span.to(for_days.span), chance.own);
             self.episode = Some(Slot { value: episode, span, own });
             (self.chance, self.for_days) = (None, None);

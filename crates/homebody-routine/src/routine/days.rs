@@ -18,7 +18,7 @@ pub struct DaySelection {
     pub of_month: (u8, u8),
     pub kind: Option<DayKind>,
     pub weather: Option<Weather>,
-    pub episode: Option<Episode>,
+    pub episode: Option<DayEpisode>,
     /// Least number of poor nights in a row before.
     pub poor_nights: u32,
 }
@@ -107,7 +107,7 @@ struct DayNames {
     weather: Option<Weather>,
     /// Days in a row that begin at random.
     #[serde(skip_serializing_if = "Option::is_none")]
-    episode: Option<Episode>,
+    episode: Option<DayEpisode>,
     /// Least number of poor nights in a row before.
     #[serde(skip_serializing_if = "super::is_usual")]
     poor_nights: u32,
@@ -178,7 +178,7 @@ impl Weather {
 /// Days in a row that begin at random.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Episode {
+pub struct DayEpisode {
     /// Mean number of days from one beginning to the next.
     pub every_days: u32,
     /// Length in days.

@@ -1,7 +1,8 @@
 //! The words for changes.
 
-use super::{ABOUT_SHARE, amount, bare, clock, number, part_words, unit};
+use super::words::{amount, bare, clock, number, part_words, unit};
 use crate::language::activities::phrase;
+use crate::language::amounts::ABOUT_SHARE;
 use crate::routine::{Effect, HabitTime, RoutineChange, Shy, When};
 use homebody_core::fuzzy::Fuzzy;
 
