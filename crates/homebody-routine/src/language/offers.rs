@@ -110,7 +110,7 @@ fn rewritten(lexicon: &LexiconWords, mut pieces: Vec<Piece>) -> (Vec<Piece>, boo
 }
 
 impl Search<'_> {
-    /// One sentence for all of the words, with a subject where there is none.
+    /// One sentence for all of the words. It gets a subject if it has none.
     fn whole(&mut self, pieces: &[Piece]) -> Option<String> {
         self.one(pieces, &[])
     }
@@ -136,7 +136,7 @@ impl Search<'_> {
         None
     }
 
-    /// A sentence for each clause. What stands before the first subject is about all of them.
+    /// A sentence for each clause. The words before the first subject are about all of them.
     fn clauses(&mut self, pieces: &[Piece]) -> Option<Vec<String>> {
         let lexicon = &self.names.lexicon;
         let joins = |piece: &Piece| lexicon.is_word("joins", &piece.text);
@@ -166,7 +166,7 @@ impl Search<'_> {
                 })?;
                 Some((end, found))
             });
-            // A clause that says nothing that the language has is a note beside the others.
+            // A clause that is not read is a note beside the others.
             let (end, sentence) = match next {
                 Some(next) => next,
                 None if lexicon.is_word("conditions", &pieces[start].text) => return None,

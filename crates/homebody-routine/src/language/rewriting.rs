@@ -1,8 +1,8 @@
-//! What is probably meant by words that the language does not read: the sections MEANT of a lexicon.
+//! The probable meaning of words that the language does not read: the section MEANT of a lexicon.
 //!
-//! On the left stand the words as they are said: `a|b` is either, `[a]` may be missing, `^` is the beginning of the sentence,
+//! The left side has the words as written: `a|b` is either, `[a]` may be missing, `^` is the beginning of the sentence,
 //! "," a comma, `CAP` a word with a capital, `NUM` a number in digits and `_` one to six words that are kept, `...` the rest of the clause, which is left
-//! out. On the right stand the words that are meant.
+//! out. The right side has the words of the language.
 
 /// A word of a sentence that is rewritten.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +31,7 @@ enum Pattern {
 pub struct Rewriting {
     left: Vec<(Pattern, bool)>,
     right: Vec<String>,
-    /// Whether the right side has a number that nobody said.
+    /// Whether the right side has a number that the left side lacks.
     pub assumes: bool,
 }
 
@@ -90,7 +90,7 @@ struct Fitting<'p> {
 }
 
 impl Fitting<'_> {
-    /// Where the pattern ends that begins at a word.
+    /// The end of the pattern that begins at a word.
     fn end(
         &self,
         left: &[(Pattern, bool)],
