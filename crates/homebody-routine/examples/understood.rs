@@ -1,7 +1,7 @@
 //! The language on sentences of other people: reads files with one a line, as JSON with its `text` or `say`, writes
 //! after each the understood part, the remarks and the refusals, and counts them.
 //!
-//! `cargo run -p homebody-routine --example understood -- SENTENCES.jsonl`
+//! `cargo run -p homebody-routine --example understood -- [OWN.words] SENTENCES.jsonl`
 
 #![allow(clippy::disallowed_methods, clippy::print_stdout, reason = "an example reads files and prints")]
 
@@ -14,17 +14,24 @@ use homebody_routine::routine::{Activity, Routine};
 use serde_json::{Value, json};
 
 fn main() {
-    let known = KnownNames { usual: Activity::OWN_WAYS.to_vec(), ..home() };
+    let mut known = KnownNames { usual: Activity::OWN_WAYS.to_vec(), ..home() };
+    let (words, sentences): (Vec<String>, Vec<String>) =
+        std::env::args().skip(1).partition(|file| file.ends_with(".words"));
+    for file in words {
+        let text = std::fs::read_to_string(&file).unwrap_or_else(|fault| panic!("{file}: {fault}"));
+        let (lexicon, problems) = known.lexicon.with(&file, &text);
+        assert!(problems.is_empty(), "{problems:?}");
+        known.lexicon = lexicon;
+    }
     let (mut lived, mut remarks, mut hinted, mut unhinted) = (0, 0, 0, 0);
-    for file in std::env::args().skip(1) {
+    for file in sentences {
         let text = std::fs::read_to_string(&file).unwrap_or_else(|fault| panic!("{file}: {fault}"));
         for line in text.lines() {
             let line: Value = serde_json::from_str(line).unwrap_or_else(|fault| panic!("{file}: {fault}"));
             let said = line["text"].as_str().or(line["say"].as_str()).unwrap_or_default();
             let (found, problems) = routine("margaret.routine", said, &known);
-            let proposes = |hint: &String| {
-                hint.contains("of it: \"") || hint.contains("without it: \"") || hint.contains("as in \"")
-            };
+            let proposes =
+                |hint: &String| ["without it: \"", "write \"", "numbers, \""].iter().any(|way| hint.contains(way));
             match problems.is_empty() {
                 true if found
                     == (Routine { remarks: found.remarks.clone(), file: found.file.clone(), ..Routine::default() }) =>

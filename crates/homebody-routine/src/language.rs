@@ -24,9 +24,11 @@ mod known_names;
 pub mod lexicon;
 pub(crate) mod messages;
 mod names;
+mod offers;
 mod parts;
 mod productions;
 mod refusal;
+mod rewriting;
 mod sentence;
 mod sharing;
 pub mod statement;
@@ -62,6 +64,9 @@ pub const MOST_SENTENCES: usize = 2_000;
 
 /// The mark of a sentence that is kept and has no effect.
 const NOTE: &str = "note:";
+
+/// The words before the colon of a line that names the language of a routine.
+const LANGUAGE_HEADS: [&str; 2] = ["language", "sprache"];
 
 /// The words for the severity of a condition, from mild to severe.
 const SEVERITIES: &str = "mild|slight|light|moderate|severe|serious|strong";
@@ -105,6 +110,8 @@ const MOST_STEPS_OF_REFUSED: usize = 400_000;
 
 fn read_text(file: &str, text: &str, known: &KnownNames, is_condition: bool) -> (Routine, Vec<Problem>) {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (language, unknown) = language_of(text);
+    let known = &KnownNames { lexicon: language.unwrap_or(&known.lexicon).clone(), ..known.clone() };
     let draft = RoutineDraft {
         routine: Routine { file: file.into(), ..Routine::default() },
         is_condition,
@@ -124,11 +131,32 @@ fn read_text(file: &str, text: &str, known: &KnownNames, is_condition: bool) -> 
         heading: None,
         budget: Budget { left: MOST_STEPS_OF_REFUSED },
     };
+    if let Some((span, name)) = unknown {
+        reader.faults.add(span, SentenceMessage::UnknownLanguage { name });
+    }
     reader.lines(&lines);
     reader.close();
     check::check(&reader.draft, &mut reader.faults);
     let problems = reader.faults.problems(&reader.draft.routine.file, &lines);
     (reader.draft.routine, problems)
+}
+
+/// The language that the first line names, if it names one: "Language: German". An unknown one is a problem.
+fn language_of(text: &str) -> (Option<&'static Lexicon>, Option<(TextSpan, String)>) {
+    let says = |line: &words::TextLine| line.text.split('#').next().is_some_and(|said| !said.trim().is_empty());
+    let Some(line) = words::lines(text).into_iter().find(says) else { return (None, None) };
+    let Some((start, name)) = named_language(line.text) else { return (None, None) };
+    let language = Lexicon::of_language(name);
+    let span = TextSpan { start: line.start + start, end: line.start + start + name.len() };
+    (language, language.is_none().then(|| (span, name.to_owned())))
+}
+
+/// The name of a language in a line that is about nothing else, and where it begins.
+fn named_language(line: &str) -> Option<(usize, &str)> {
+    let (head, name) = line.split('#').next()?.split_once(':')?;
+    let is_head = LANGUAGE_HEADS.contains(&head.trim().to_lowercase().as_str());
+    let begin = head.len() + 1 + name.len() - name.trim_start().len();
+    is_head.then(|| (begin, name.trim().trim_end_matches('.')))
 }
 
 impl TextReader<'_> {
@@ -146,10 +174,11 @@ impl TextReader<'_> {
             {
                 heading.is_used = true;
             }
-            if self.note(line) {
+            if self.note(line) || named_language(line.text).is_some() {
                 continue;
             }
-            for sentence in words::sentences(*line) {
+            let lexicon = self.names.lexicon.clone();
+            for sentence in words::sentences(*line, &|word| lexicon.is_word("after-ordinals", word)) {
                 count += 1;
                 if count > MOST_SENTENCES {
                     self.faults.add(sentence.span(), SentenceMessage::TooManySentences { most: MOST_SENTENCES });

@@ -11,6 +11,7 @@ mod explanation;
 mod fall_sentences;
 mod falls;
 mod forms;
+mod german;
 mod habits;
 mod home;
 mod lexicon;

@@ -235,7 +235,7 @@ impl DrawnHabit {
     /// From a time until another.
     fn until_of(&mut self, draw: &mut Draw) {
         let DrawnTime::At { at, .. } = &self.time else { return };
-        let from = at.mean();
+        let from = at.mean().floor();
         let to = from + 15.0 * f64::from(2 + draw.below(6));
         let (about, spread) = if draw.one_in(2) { ("about ", ABOUT_MIN) } else { ("", EXACT_MIN) };
         let words = format!(" from {about}{} until {about}{}", clock(from), clock(to));

@@ -204,7 +204,9 @@ impl Builder<'_> {
                     && clause.parts.place.is_some()
                     && clause.parts.lasts.is_some() =>
             {
-                (Activity::Other(self.said(act.span).to_lowercase()), false)
+                let words = self.said(act.span).to_lowercase();
+                let words = if words.is_empty() { super::activities::phrase(&act.activity) } else { words };
+                (Activity::Other(words), false)
             }
             Verb::Does(act) => (act.activity.clone(), false),
             Verb::Falls(_) => (Activity::Fall, false),

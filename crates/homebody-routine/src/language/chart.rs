@@ -84,10 +84,11 @@ impl<'a> Chart<'a> {
         text: &'a str,
         words: &'a [SentenceWord],
         commas: &'a [bool],
-        determiners: &dyn Fn(&str) -> bool,
+        is_word: &dyn Fn(&str, &str) -> bool,
         most_steps: usize,
     ) -> Chart<'a> {
         // A routine is about one person: "he" and "she" in one sentence are two.
+        let is_pronoun = |word: &str| is_word("pronouns", word);
         let pronoun = words.iter().find(|word| is_pronoun(&word.text)).map_or("", |word| &word.text);
         let known = |word: &SentenceWord| match is_pronoun(&word.text) && word.text != pronoun {
             true => None,
@@ -98,7 +99,7 @@ impl<'a> Chart<'a> {
             words,
             commas,
             ids: words.iter().map(known).collect(),
-            determiners: words.iter().map(|word| determiners(&word.text)).collect(),
+            determiners: words.iter().map(|word| is_word("determiners", &word.text)).collect(),
             text,
             by_start: vec![Vec::new(); words.len() + 1],
             known: BTreeMap::new(),
@@ -331,8 +332,4 @@ impl<'a> Chart<'a> {
             _ => TextSpan::default(),
         }
     }
-}
-
-fn is_pronoun(word: &str) -> bool {
-    ["she", "he"].contains(&word)
 }

@@ -1,30 +1,14 @@
 //! A chart with the words of a sentence, and of what the home and the lexicon say about them.
 
-use super::build::build;
-use super::builder::Context;
-use super::chart::{Chart, MOST_STEPS, SKIP_COST};
+use super::chart::{Chart, SKIP_COST};
 use super::names::{HomeNames, Sort};
 use super::tokens::{Tokens, span_of};
 use super::value::PhraseValue;
-use super::words::{self, SentenceWord, Token, is_determiner};
+use super::words::{SentenceWord, Token};
 use crate::routine::PhaseDay;
 
 /// Largest number of words of an activity that the lexicon does not have (our choice).
 const MOST_OWN_WORDS: usize = 5;
-
-/// Whether a sentence of the same routine has a meaning.
-pub fn is_read(names: &HomeNames, context: Context, text: &str) -> bool {
-    let words = words::of_name(text);
-    let tokens = Tokens::new(&words);
-    let span = span_of(&tokens.words);
-    let mut chart = filled_chart(names, text, &tokens, false, MOST_STEPS);
-    chart.readings("Statement").iter().any(|item| match item.value.as_ref() {
-        PhraseValue::Statement(statement) if item.faults.is_none() => {
-            build(Context { text, ..context }, statement, span).faults.is_empty()
-        }
-        _ => false,
-    })
-}
 
 pub fn filled_chart<'a>(
     names: &'a HomeNames,
@@ -35,7 +19,8 @@ pub fn filled_chart<'a>(
 ) -> Chart<'a> {
     let words = &tokens.words;
     let grammar = &names.lexicon.grammar;
-    let mut chart = Chart::new(grammar, text, words, &tokens.commas, &is_determiner, most_steps);
+    let is_word = |list: &str, word: &str| names.lexicon.is_word(list, word);
+    let mut chart = Chart::new(grammar, text, words, &tokens.commas, &is_word, most_steps);
     for (at, word) in words.iter().enumerate() {
         match word.token {
             Token::Number(_) | Token::Clock(..) => chart.give_digits(at, &word.token),
@@ -114,7 +99,7 @@ fn word_of(chart: &mut Chart, names: &HomeNames, text: &str, words: &[SentenceWo
     {
         for end in at + 1..=words.len().min(at + MOST_OWN_WORDS) {
             let last = &words[end - 1];
-            if end > at + 1 && !is_open(last) && !is_determiner(&last.text) {
+            if end > at + 1 && !is_open(last) && !names.lexicon.is_word("determiners", &last.text) {
                 break;
             }
             if is_open(last) {

@@ -59,6 +59,10 @@ pub struct Rule {
     pub cost: u32,
 }
 
+/// In a rule of the grammar, the verb of any way of the lexicon, and the rest of it.
+pub const VERB: &str = "VERB";
+pub const REST: &str = "REST";
+
 #[derive(Clone, Default)]
 pub struct Grammar {
     words: BTreeMap<String, u32>,
@@ -69,6 +73,9 @@ pub struct Grammar {
     by_category: Vec<Vec<(u32, u8)>>,
     /// The number of words of the grammar itself, without those of the lexicon.
     closed: usize,
+    /// The orders of a verb and the rest of its way in a clause: a category, and a rule as written. A language without orders
+    /// makes each way a phrase.
+    pub orders: Vec<(String, String)>,
 }
 
 impl Grammar {
@@ -121,8 +128,14 @@ impl Grammar {
                 continue;
             }
             match line.strip_suffix(':').filter(|_| !line.starts_with(' ')) {
-                Some(name) => category = Some(grammar.category(name)),
-                None => grammar.line(category, line),
+                Some(name) => category = Some(name),
+                None if line.contains(VERB) => {
+                    grammar.orders.push((category.unwrap_or_default().to_owned(), line.trim().to_owned()))
+                }
+                None => {
+                    let category = category.map(|name| grammar.category(name));
+                    grammar.line(category, line);
+                }
             }
         }
         grammar.closed = grammar.words.len();
@@ -131,21 +144,28 @@ impl Grammar {
 
     fn line(&mut self, category: Option<Category>, line: &str) {
         let (pattern, made) = line.split_once("=>").unwrap_or((line, ""));
-        let mut parts = made.split_whitespace();
-        let (mut cost, mut name) = (0, parts.next().unwrap_or_default());
-        if let Some(said) = name.strip_prefix('!') {
-            (cost, name) = (said.parse().unwrap_or(0), parts.next().unwrap_or_default());
+        let Some((cost, make)) = maker(made, &[]) else { return };
+        let elements = self.pattern(pattern, &[]);
+        debug_assert!(category.is_some() && elements.iter().any(|element| !element.optional), "{line}");
+        if let Some(category) = category {
+            self.add(Rule { category, elements, make, cost });
         }
-        let make = match name {
-            "" => ValueMaker::Same,
-            _ => match productions::named(name) {
-                Some(production) => ValueMaker::By(production, parts.map(str::to_owned).collect()),
-                None => {
-                    debug_assert!(false, "no production {name}");
-                    return;
-                }
-            },
-        };
+    }
+
+    /// Adds a way of saying an activity in each of the orders.
+    pub fn ordered(&mut self, verb: &Wanted, rest: &[Element], label: &str) {
+        for (category, line) in self.orders.clone() {
+            let (pattern, made) = line.split_once("=>").unwrap_or((&line, ""));
+            let Some((cost, make)) = maker(made, &[label]) else { continue };
+            let first = Element { wanted: verb.clone(), optional: false, comma: Comma::No, before: Preceding::Nothing };
+            let elements = self.pattern(pattern, &[(VERB, &[first]), (REST, rest)]);
+            let category = self.category(&category);
+            self.add(Rule { category, elements, make, cost });
+        }
+    }
+
+    /// The elements of a pattern, where some words stand for others.
+    fn pattern(&mut self, pattern: &str, others: &[(&str, &[Element])]) -> Vec<Element> {
         let mut comma = Comma::No;
         let mut elements = Vec::new();
         for written in pattern.split_whitespace() {
@@ -153,18 +173,21 @@ impl Grammar {
                 "," => comma = Comma::Must,
                 "[,]" => comma = Comma::May,
                 _ => {
-                    let element = self.element(written);
-                    // Where the phrase is missing, the comma stands before the next one.
-                    let carried = if element.optional && comma != Comma::No { Comma::May } else { Comma::No };
-                    elements.push(Element { comma, ..element });
-                    comma = carried;
+                    let other = others.iter().find(|(name, _)| *name == written);
+                    let of_word = match other {
+                        Some((_, elements)) => elements.to_vec(),
+                        None => vec![self.element(written)],
+                    };
+                    for element in of_word {
+                        // If the phrase is missing, the comma stands before the next one.
+                        let carried = if element.optional && comma != Comma::No { Comma::May } else { Comma::No };
+                        elements.push(Element { comma, ..element });
+                        comma = carried;
+                    }
                 }
             }
         }
-        debug_assert!(category.is_some() && elements.iter().any(|element| !element.optional), "{line}");
-        if let Some(category) = category {
-            self.add(Rule { category, elements, make, cost });
-        }
+        elements
     }
 
     fn element(&mut self, written: &str) -> Element {
@@ -202,6 +225,22 @@ impl Grammar {
         }
         self.rules.push(rule);
     }
+}
+
+/// The cost of a rule, and how its value is made: "!5 product 60".
+fn maker(made: &str, first: &[&str]) -> Option<(u32, ValueMaker)> {
+    let mut parts = made.split_whitespace();
+    let (mut cost, mut name) = (0, parts.next().unwrap_or_default());
+    if let Some(said) = name.strip_prefix('!') {
+        (cost, name) = (said.parse().unwrap_or(0), parts.next().unwrap_or_default());
+    }
+    if name.is_empty() {
+        return Some((cost, ValueMaker::Same));
+    }
+    let production = productions::named(name);
+    debug_assert!(production.is_some(), "no production {name}");
+    let constants = first.iter().copied().chain(parts).map(str::to_owned).collect();
+    Some((cost, ValueMaker::By(production?, constants)))
 }
 
 fn at_index<T: Default>(list: &mut Vec<T>, index: usize) -> &mut T {

@@ -8,29 +8,36 @@ use super::chart::{Chart, MOST_STEPS};
 use super::grammar::{Comma, Element, Grammar, Preceding, Rule, ValueMaker, Wanted};
 use super::messages::LexiconMessage;
 use super::productions;
+use super::rewriting::Rewriting;
 use super::tokens::Tokens;
 use super::value::PhraseValue;
-use super::words::{self, is_determiner};
+use super::words;
 use crate::routine::Activity;
 use homebody_core::nearest::nearest;
 use homebody_core::problem::{Excerpt, Problem};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, LazyLock};
 
-const GRAMMAR: &str = include_str!("english.grammar");
-const ENGLISH: &str = include_str!("english.words");
+/// The languages of routines: their names, grammars and words. Sentences of a language are printed in the first.
+const LANGUAGES: [(&str, &str, &str, &str); 2] = [
+    ("english", "english.words", include_str!("english.grammar"), include_str!("english.words")),
+    ("german|deutsch", "german.words", include_str!("german.grammar"), include_str!("german.words")),
+];
 
 pub const OWN_FILE: &str = "own.words";
 /// Largest number of lines, and of characters of a line.
 pub const MOST_LINES: usize = 2_000;
 const LONGEST_LINE: usize = 300;
 
-static BUILT_IN: LazyLock<Lexicon> = LazyLock::new(|| {
-    let empty = LexiconWords { grammar: Grammar::read(GRAMMAR), ..LexiconWords::default() };
-    let (words, problems) = empty.and("english.words", ENGLISH);
+static BUILT_IN: [LazyLock<Lexicon>; LANGUAGES.len()] = [LazyLock::new(|| built_in(0)), LazyLock::new(|| built_in(1))];
+
+fn built_in(at: usize) -> Lexicon {
+    let (_, file, grammar, words) = LANGUAGES[at];
+    let empty = LexiconWords { grammar: Grammar::read(grammar), ..LexiconWords::default() };
+    let (words, problems) = empty.and(file, words);
     debug_assert!(problems.is_empty(), "{problems:?}");
     Lexicon(Arc::new(words))
-});
+}
 
 #[derive(Clone)]
 pub struct Lexicon(Arc<LexiconWords>);
@@ -49,7 +56,7 @@ impl std::fmt::Debug for Lexicon {
 
 impl Default for Lexicon {
     fn default() -> Lexicon {
-        BUILT_IN.clone()
+        BUILT_IN[0].clone()
     }
 }
 
@@ -63,7 +70,14 @@ impl std::ops::Deref for Lexicon {
 
 impl Lexicon {
     pub fn built_in() -> &'static Lexicon {
-        &BUILT_IN
+        &BUILT_IN[0]
+    }
+
+    /// The words of a language, by a name of it such as "German" or "Deutsch".
+    pub fn of_language(name: &str) -> Option<&'static Lexicon> {
+        let name = name.to_lowercase();
+        let at = LANGUAGES.iter().position(|(names, ..)| names.split('|').any(|known| known == name))?;
+        Some(&BUILT_IN[at])
     }
 
     pub fn with(&self, file: &str, text: &str) -> (Lexicon, Vec<Problem>) {
@@ -79,6 +93,9 @@ pub struct LexiconWords {
     pub ways: Vec<(String, Activity)>,
     names: Vec<(LexiconEntry, Vec<String>)>,
     verbs: BTreeMap<String, String>,
+    /// Words that the program asks for by the name of their list, such as those that deny.
+    lists: BTreeMap<String, Vec<String>>,
+    pub rewritings: Vec<Rewriting>,
     usual: Vec<(Activity, String)>,
     pub own: BTreeMap<String, OwnActivity>,
     lines: BTreeSet<String>,
@@ -100,6 +117,8 @@ enum Section {
     Names,
     Verbs,
     Means,
+    Meant,
+    Words,
 }
 
 /// The form of the verb at the beginning of a way, as a category of the grammar.
@@ -121,6 +140,14 @@ impl LexiconWords {
 
     pub fn told(&self) -> impl Iterator<Item = &str> {
         self.usual.iter().map(|(_, said)| said.as_str())
+    }
+
+    pub fn words_of(&self, list: &str) -> impl Iterator<Item = &str> {
+        self.lists.get(list).into_iter().flatten().map(String::as_str)
+    }
+
+    pub fn is_word(&self, list: &str, word: &str) -> bool {
+        self.words_of(list).any(|one| one == word)
     }
 
     pub fn count(&self) -> usize {
@@ -176,6 +203,8 @@ impl LexiconWords {
             "NAMES" => return Ok(Section::Names),
             "VERBS" => return Ok(Section::Verbs),
             "MEANS" => return Ok(Section::Means),
+            "MEANT" => return Ok(Section::Meant),
+            "WORDS" => return Ok(Section::Words),
             _ if is_list(name) => return Ok(Section::List(name.to_owned())),
             _ => {}
         }
@@ -214,6 +243,8 @@ impl LexiconWords {
             Section::Names => "name",
             Section::Verbs => "verb",
             Section::Means => "means",
+            Section::Meant => "meant",
+            Section::Words => "words",
         };
         if !self.lines.insert(format!("{sort}: {line}")) {
             return Err(LexiconMessage::SameLine { text: line.to_owned() });
@@ -234,6 +265,16 @@ impl LexiconWords {
                 self.phrase(line, name, &constant);
             }
             Section::Verbs => {}
+            Section::Words => {
+                if let Some((list, words)) = line.split_once(':') {
+                    let words = words.split_whitespace().map(str::to_owned);
+                    self.lists.entry(list.to_owned()).or_default().extend(words);
+                }
+            }
+            Section::Meant => {
+                let (said, meant) = line.split_once("=>").unwrap_or((line, ""));
+                self.rewritings.push(Rewriting::new(said, meant));
+            }
             Section::Names | Section::Means => {
                 let Some((said, meant)) = line.split_once("=>") else {
                     return Err(LexiconMessage::NoMeaning { text: line.to_owned() });
@@ -258,6 +299,13 @@ impl LexiconWords {
     /// A way that begins with a verb, in each of its forms.
     fn way(&mut self, written: &str, make: &ValueMaker) {
         let (first, rest) = written.split_once(' ').unwrap_or((written, ""));
+        if !self.grammar.orders.is_empty() {
+            let (verb, rest) = (self.grammar.any_of(first.trim_start_matches('~').split('|')), self.elements(rest));
+            if let ValueMaker::By(_, constants) = make {
+                self.grammar.ordered(&verb, &rest, &constants[0]);
+            }
+            return;
+        }
         let Some(verbs) = first.strip_prefix('~') else {
             return FORMS.iter().for_each(|form| self.phrase(written, form, make));
         };
@@ -308,7 +356,10 @@ impl LexiconWords {
         let before = if inner.starts_with('*') { Preceding::Describing } else { Preceding::Determiners };
         let inner = inner.trim_start_matches('*');
         let wanted = match inner {
-            "SELF" => self.grammar.any_of(["herself", "himself", "themselves", "themself", "itself"]),
+            "SELF" => {
+                let selves: Vec<String> = self.words_of("selves").map(str::to_owned).collect();
+                self.grammar.any_of(selves.iter().map(String::as_str))
+            }
             _ if inner.split('|').all(is_list) => {
                 Wanted::Phrase(self.grammar.category(inner.split('|').next().unwrap_or_default()))
             }
@@ -405,7 +456,14 @@ pub fn meaning_of(lexicon: &LexiconWords, text: &str) -> Option<PhraseValue> {
     let tokens = Tokens::new(&words);
     for category in ["Parts", "Does"] {
         let grammar = &lexicon.grammar;
-        let mut chart = Chart::new(grammar, text, &tokens.words, &tokens.commas, &is_determiner, MOST_STEPS);
+        let mut chart = Chart::new(
+            grammar,
+            text,
+            &tokens.words,
+            &tokens.commas,
+            &|list, word| lexicon.is_word(list, word),
+            MOST_STEPS,
+        );
         for (at, word) in tokens.words.iter().enumerate() {
             chart.give_digits(at, &word.token);
         }

@@ -2,7 +2,7 @@
 
 use super::known_names::KnownNames;
 use super::lexicon::Lexicon;
-use super::words::{self, SentenceWord, Token, is_determiner};
+use super::words::{self, SentenceWord, Token};
 use std::collections::BTreeMap;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,7 +37,7 @@ impl HomeNames {
         ];
         for (list, sort) in sorts {
             for name in list {
-                let words = name_words(name);
+                let words = name_words(&names.lexicon, name);
                 if let Some(first) = words.first() {
                     names.names.entry(first.clone()).or_default().push((words, sort, name.clone()));
                 }
@@ -48,7 +48,7 @@ impl HomeNames {
 
     pub fn is_about(&mut self, person: Option<&str>) {
         self.person = person.map(str::to_owned);
-        self.person_words = person.map(name_words).unwrap_or_default();
+        self.person_words = person.map(|name| name_words(&self.lexicon, name)).unwrap_or_default();
     }
 
     pub fn of<'a>(&'a self, sorts: &'a [Sort]) -> impl Iterator<Item = &'a str> + Clone {
@@ -94,7 +94,7 @@ impl HomeNames {
     }
 }
 
-fn name_words(name: &str) -> Vec<String> {
+fn name_words(lexicon: &Lexicon, name: &str) -> Vec<String> {
     let words = words::of_name(name).into_iter().filter(|word| word.token != Token::Comma);
-    words.map(|word| word.text).skip_while(|word| is_determiner(word)).collect()
+    words.map(|word| word.text).skip_while(|word| lexicon.is_word("determiners", word)).collect()
 }

@@ -39,10 +39,15 @@ pub fn read(
     budget: &mut Budget,
 ) -> Reading {
     let (reading, steps) = with_steps(names, context, words, is_indented, budget);
-    if let Reading::Refused(_) = &reading {
-        budget.left = budget.left.saturating_sub(steps + STEPS_OF_HINTS);
+    let Reading::Refused(faults) = reading else { return reading };
+    let has_left = budget.left > 0 && words.len() <= MOST_WORDS;
+    budget.left = budget.left.saturating_sub(steps + STEPS_OF_HINTS);
+    if !has_left {
+        return Reading::Refused(faults);
     }
-    reading
+    let (faults, steps) = refusal::with_offer(names, context, &Tokens::new(words), faults);
+    budget.left = budget.left.saturating_sub(steps);
+    Reading::Refused(faults)
 }
 
 fn with_steps(
@@ -79,7 +84,7 @@ fn best(names: &HomeNames, context: Context, tokens: &Tokens, chart: &mut Chart,
     };
     if item.skipped != 0 {
         let skipped: Vec<(u64, usize)> = best.iter().map(|(faults, _, item, _)| (item.skipped, *faults)).collect();
-        let mut all = refusal::left_out(names, context, tokens, &skipped);
+        let mut all = refusal::left_out(names, context, tokens, chart, &skipped);
         all.extend(item.faults.iter().flat_map(|faults| faults.iter().cloned()));
         all.sort_by_key(|(span, _)| span.start);
         return Reading::Refused(all);

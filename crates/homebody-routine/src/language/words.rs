@@ -81,10 +81,18 @@ pub fn lines(text: &str) -> Vec<TextLine<'_>> {
     lines
 }
 
-pub fn sentences(line: TextLine) -> Vec<Sentence> {
+/// The sentences of a line. A full stop between a number and some words, such as months of some languages, ends none.
+pub fn sentences(line: TextLine, follows_ordinal: &dyn Fn(&str) -> bool) -> Vec<Sentence> {
     let indented = line.is_indented();
     let text = line.text.split('#').next().unwrap_or_default();
-    let mut lexer = Lexer { chars: text.char_indices().collect(), text, at: 0, start: line.start, words: Vec::new() };
+    let mut lexer = Lexer {
+        chars: text.char_indices().collect(),
+        text,
+        at: 0,
+        start: line.start,
+        words: Vec::new(),
+        follows_ordinal,
+    };
     let mut sentences = Vec::new();
     let mut after_semicolon = false;
     loop {
@@ -107,13 +115,7 @@ pub fn sentences(line: TextLine) -> Vec<Sentence> {
 }
 
 pub fn of_name(name: &str) -> Vec<SentenceWord> {
-    sentences(TextLine { start: 0, text: name }).into_iter().flat_map(|sentence| sentence.words).collect()
-}
-
-const DETERMINERS: [&str; 10] = ["a", "an", "the", "her", "his", "their", "its", "some", "my", "own"];
-
-pub fn is_determiner(word: &str) -> bool {
-    DETERMINERS.contains(&word)
+    sentences(TextLine { start: 0, text: name }, &|_| false).into_iter().flat_map(|sentence| sentence.words).collect()
 }
 
 struct Lexer<'t> {
@@ -122,6 +124,7 @@ struct Lexer<'t> {
     at: usize,
     start: usize,
     words: Vec<SentenceWord>,
+    follows_ordinal: &'t dyn Fn(&str) -> bool,
 }
 
 impl Lexer<'_> {
@@ -130,7 +133,7 @@ impl Lexer<'_> {
             let from = self.at;
             self.at += 1;
             match c {
-                '.' if self.is_title() => {}
+                '.' if self.is_title() || self.is_ordinal() => {}
                 '.' | '!' | '?' => return true,
                 ';' if !self.parts_digits(from) => return true,
                 '\u{2022}' | '*' => {}
@@ -184,6 +187,13 @@ impl Lexer<'_> {
     fn is_title(&self) -> bool {
         let is_title = |word: &SentenceWord| matches!(word.text.as_str(), "mr" | "mrs" | "ms" | "dr" | "st" | "pt");
         self.words.last().is_some_and(is_title)
+    }
+
+    fn is_ordinal(&self) -> bool {
+        let is_number = self.before(self.at - 1).is_some_and(|c| c.is_ascii_digit());
+        let rest = self.chars[self.at..].iter().map(|&(_, c)| c).skip_while(|c| *c == ' ');
+        let next: String = rest.take_while(|c| c.is_alphabetic()).flat_map(char::to_lowercase).collect();
+        is_number && (self.follows_ordinal)(&next)
     }
 
     fn number(&mut self, from: usize) {
@@ -343,7 +353,7 @@ mod tests {
 
     fn texts(line: &str) -> Vec<Vec<String>> {
         let words = |sentence: Sentence| sentence.words.into_iter().map(|word| word.text).collect();
-        sentences(TextLine { start: 0, text: line }).into_iter().map(words).collect()
+        sentences(TextLine { start: 0, text: line }, &|_| false).into_iter().map(words).collect()
     }
 
     #[test]

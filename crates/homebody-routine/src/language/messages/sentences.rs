@@ -9,6 +9,12 @@ homebody_core::messages! {
             most: usize,
         } error "long-line" ("this line has more than {most} characters")
             hint ("write each sentence on a line of its own");
+        /// The first line of a routine may name its language, such as "Language: German".
+        UnknownLanguage {
+            /// The name.
+            name: String,
+        } error "unknown-language" ("{name:?} is not a language of routines")
+            hint ("write \"Language: English\" or \"Language: German\"");
         /// A routine has a limit, which is our choice.
         TooManySentences {
             /// The limit.

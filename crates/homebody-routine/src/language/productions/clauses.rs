@@ -24,6 +24,29 @@ pub fn named(name: &str) -> Option<Production> {
             parts(all)
         },
         "clause" => |a| clause(a, None),
+        // The first constant says what is done, which no phrase says: the words of it stand apart.
+        "clause_of" => |a| {
+            // None of the words stands for the activity alone.
+            let span = TextSpan { start: a.span.end, ..a.span };
+            let act = || Some(act_of(Activity::from_label(a.constant(0))?, span));
+            let verb = match a.constant(0) {
+                "Visits" => Verb::Visits,
+                "Skips" => Verb::Skips(a.act()?),
+                _ if a.has("not") => Verb::Not(act()?),
+                _ => Verb::Does(act()?),
+            };
+            let subject = a.one(|value| match value {
+                PhraseValue::Subject(subject) => Some(subject.clone()),
+                _ => None,
+            });
+            if !fits(subject.as_ref(), &verb) {
+                return None;
+            }
+            let all = a.all(as_parts).iter().fold(Parts::default(), |all, more| merged(a, &all, more));
+            let subject = subject.unwrap_or(SentenceSubject::Days);
+            let clause = Clause { parts: all.clone(), behind: all, ..plain(a, subject, verb) };
+            Some(PhraseValue::Clause(Box::new(clause)))
+        },
         "clause_then" => |a| {
             let then = a.words.iter().find(|word| word.text == "then").map(|word| word.span)?;
             clause(a, Some(then))

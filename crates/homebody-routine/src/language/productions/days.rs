@@ -170,7 +170,8 @@ pub fn named(name: &str) -> Option<Production> {
         },
         "for_days" => |a| {
             let days = whole_days(a)?;
-            let is_nights = a.words.last().is_some_and(|word| ["night", "nights"].contains(&word.text.as_str()));
+            let is_nights =
+                a.has("nights") || a.words.last().is_some_and(|word| ["night", "nights"].contains(&word.text.as_str()));
             parts(match is_nights {
                 true => Parts { nights: a.slot(days as u32), ..Parts::default() },
                 false => Parts { for_days: a.slot(days), ..Parts::default() },
@@ -258,8 +259,8 @@ fn day_of_year(a: &mut Arguments) -> Option<PhraseValue> {
 /// "on the first Monday of the month", "on the 3rd of each month": a last one is number 0.
 fn nth_of_month(a: &mut Arguments) -> Option<PhraseValue> {
     let numbers = a.numbers();
-    let is_month = a.words.last().is_some_and(|word| !["month"].contains(&word.text.as_str()));
-    let has_weekday = numbers.len() > 1 + usize::from(is_month);
+    // An ordinal, a weekday and a month.
+    let (has_weekday, is_month) = (numbers.len() > 1, numbers.len() > 2);
     let nth = numbers[0];
     let of_month = match (has_weekday, nth as u8) {
         (true, _) => of_weekday(nth)?,

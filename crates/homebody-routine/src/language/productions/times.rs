@@ -25,7 +25,7 @@ pub fn named(name: &str) -> Option<Production> {
         "hour" => |a| {
             let hour = a.numbers()[0];
             let is_hour = hour.fract() == 0.0 && (0.0..=24.0).contains(&hour);
-            let open = (1.0..=12.0).contains(&hour);
+            let open = (1.0..=12.0).contains(&hour) && !a.has("closed");
             is_hour.then(|| clock(a, if open { hour % 12.0 } else { hour } * HOUR_S, open))
         },
         "digits" => digits,

@@ -22,6 +22,7 @@ const LONGEST_STRETCH_M: f64 = 1_000.0;
 pub fn named(name: &str) -> Option<Production> {
     Some(match name {
         "said" => |a| Some(PhraseValue::Name(name_of(a))),
+        "named" => |a| Some(PhraseValue::Name(a.constants.join(" "))),
         "person" => |_| Some(PhraseValue::Subject(SentenceSubject::Person)),
         "visitor" => |a| {
             let name = a.name().unwrap_or_else(|| name_of(a));
