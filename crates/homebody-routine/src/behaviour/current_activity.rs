@@ -102,6 +102,12 @@ impl Playing {
         }
     }
 
+    /// The time since its start, without that of other planned activities. Company stays while the host cooks.
+    pub(super) fn own_time(&self, now: RunTime) -> Span {
+        let paused = if self.guest.is_some() { Span::ZERO } else { self.paused };
+        now - self.since - paused
+    }
+
     /// By needs, meals and breaks of the plan.
     pub(super) fn may_be_interrupted(&self) -> bool {
         let may = |stay: &StayStep| matches!(stay.may, Interruptible::Interrupt | Interruptible::Yield);

@@ -279,12 +279,9 @@ impl RoutineDriver {
             (is_meanwhile, passed) = (over.is_meanwhile, now - over.since);
             still = over.answers.map(|rank| (rank, over.still)).filter(|(_, still)| !still.is_empty());
             self.watches.has_done(&over.label, now, &self.life);
-            let lasted = now - over.since;
-            // Company stays while the host cooks.
-            let paused = if over.guest.is_some() { Span::ZERO } else { over.paused };
-            self.tally.end(over.of, lasted - paused);
+            self.tally.end(over.of, over.own_time(now));
             if let Some(below) = self.scripts.last_mut().filter(|_| over.of.is_some()) {
-                below.paused += lasted;
+                below.paused += passed;
             }
             if over.is_essential {
                 self.at_table = now;
@@ -434,8 +431,7 @@ impl RoutineDriver {
         let is_visit = item.activity == Activity::Visit && lasts < STAYING_OVER;
         let until = if is_visit { Some(now.saturating_add(lasts)) } else { item.until };
         self.begin(&Item { lasts, until, ..item.clone() });
-        let gives_way =
-            item.activity.gives_way_to_meals() && !(item.activity == Activity::Visit && lasts <= SHORT_VISIT);
+        let gives_way = item.gives_way(lasts);
         if let Some(playing) = self.scripts.last_mut() {
             (playing.of, playing.since) = (item.of, now);
             (playing.gives_way, playing.is_essential) = (gives_way, item.is_essential());
@@ -571,9 +567,6 @@ impl RoutineDriver {
 
 /// Time that a stated activity at its time has before a meal that no sentence states interrupts it (our choice).
 const UNDISTURBED: Span = MINUTE.times(90);
-
-/// Longest visit without a meal of the host alone (our choice).
-const SHORT_VISIT: Span = MINUTE.times(45);
 
 /// Largest delay of a meal before it interrupts an activity of leisure (our choice).
 pub(super) const GRACE: Span = MINUTE.times(10);

@@ -82,6 +82,9 @@ pub(super) struct HeldThing {
     pub(super) until: RunTime,
 }
 
+/// Longest visit without a meal of the host alone (our choice).
+const SHORT_VISIT: Span = MINUTE.times(45);
+
 impl Item {
     pub fn now(key: String, activity: Activity, lasts: Span) -> Item {
         Item {
@@ -116,6 +119,11 @@ impl Item {
     pub fn is_essential(&self) -> bool {
         let is = matches!(self.activity, Activity::Prepare(_) | Activity::Eat(_) | Activity::TakeMedicine);
         is && self.visitor.is_none()
+    }
+
+    /// Leisure and company, which meals interrupt. A short visit is over before the meal.
+    pub fn gives_way(&self, lasts: Span) -> bool {
+        self.activity.gives_way_to_meals() && !(self.activity == Activity::Visit && lasts <= SHORT_VISIT)
     }
 
     /// Whether it is still done before bed when late.

@@ -6,7 +6,7 @@ use super::chart::Chart;
 use super::filled_chart::filled_chart;
 use super::lexicon::LexiconWords;
 use super::names::HomeNames;
-use super::rewriting::Piece;
+use super::rewriting::RewritingWord;
 use super::tokens::{Tokens, span_of};
 use super::value::{PhraseValue, SpokenStatement};
 use super::words::{self, SentenceWord, TextSpan, Token};
@@ -27,19 +27,19 @@ const LEAST_SHARE_KEPT: usize = 3;
 
 /// Sentences that together say what the refused one says.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Offer {
+pub struct SentenceOffer {
     pub sentences: Vec<String>,
     /// Whether a number in them is an example.
     pub assumes: bool,
 }
 
-impl Offer {
+impl SentenceOffer {
     /// "write ..."
     pub fn words(&self) -> String {
         let (notes, read): (Vec<&String>, Vec<&String>) =
             self.sentences.iter().partition(|sentence| sentence.starts_with(NOTE));
         if let ([_, ..], [_, ..]) = (&notes[..], &read[..]) {
-            let read = Offer { sentences: read.into_iter().cloned().collect(), assumes: self.assumes };
+            let read = SentenceOffer { sentences: read.into_iter().cloned().collect(), assumes: self.assumes };
             let notes: Vec<String> = notes.into_iter().map(|note| format!("{note:?}")).collect();
             return format!("{}, and on a line of its own {}", read.words(), notes.join(", "));
         }
@@ -67,7 +67,7 @@ struct Search<'a> {
 
 /// Sentences for a refused one.
 /// With the steps that finding them took.
-pub fn offer(names: &HomeNames, context: Context, tokens: &Tokens) -> (Option<Offer>, usize) {
+pub fn offer(names: &HomeNames, context: Context, tokens: &Tokens) -> (Option<SentenceOffer>, usize) {
     let said = pieces(names, context.text, tokens);
     let (meant, assumes) = rewritten(&names.lexicon, said.clone());
     let lexicon = &names.lexicon;
@@ -77,27 +77,27 @@ pub fn offer(names: &HomeNames, context: Context, tokens: &Tokens) -> (Option<Of
     let sentences = search.whole(&meant).map(|one| vec![one]).or_else(|| search.clauses(&meant));
     let same = sentence_of(&said);
     let sentences = sentences.filter(|sentences| sentences[..] != [same.as_str()]);
-    (sentences.map(|sentences| Offer { sentences, assumes: search.assumes }), search.steps)
+    (sentences.map(|sentences| SentenceOffer { sentences, assumes: search.assumes }), search.steps)
 }
 
 /// The refused sentence as one that is kept without an effect.
-pub fn note(names: &HomeNames, context: Context, tokens: &Tokens) -> Offer {
+pub fn note(names: &HomeNames, context: Context, tokens: &Tokens) -> SentenceOffer {
     let rest = sentence_of(&pieces(names, context.text, tokens));
-    Offer { sentences: vec![format!("{NOTE}{rest}")], assumes: false }
+    SentenceOffer { sentences: vec![format!("{NOTE}{rest}")], assumes: false }
 }
 
-fn pieces(names: &HomeNames, text: &str, tokens: &Tokens) -> Vec<Piece> {
+fn pieces(names: &HomeNames, text: &str, tokens: &Tokens) -> Vec<RewritingWord> {
     let piece = |(at, word): (usize, &SentenceWord)| {
         let shown = text.get(word.span.start..word.span.end).filter(|shown| shown.to_lowercase() == word.text);
         let counts =
             word.token != Token::Word || denies(&names.lexicon, &word.text) || is_time(&names.lexicon, &word.text);
         let shown = shown.unwrap_or(&word.text).to_owned();
-        Piece { text: word.text.clone(), shown, comma: tokens.commas[at], counts }
+        RewritingWord { text: word.text.clone(), shown, comma: tokens.commas[at], counts }
     };
     tokens.words.iter().enumerate().map(piece).collect()
 }
 
-fn rewritten(lexicon: &LexiconWords, mut pieces: Vec<Piece>) -> (Vec<Piece>, bool) {
+fn rewritten(lexicon: &LexiconWords, mut pieces: Vec<RewritingWord>) -> (Vec<RewritingWord>, bool) {
     let joins = |word: &str| lexicon.is_word("joins", word);
     let (mut assumes, mut left) = (false, MOST_REWRITINGS);
     for rewriting in &lexicon.rewritings {
@@ -111,13 +111,15 @@ fn rewritten(lexicon: &LexiconWords, mut pieces: Vec<Piece>) -> (Vec<Piece>, boo
 
 impl Search<'_> {
     /// One sentence for all of the words. It gets a subject if it has none.
-    fn whole(&mut self, pieces: &[Piece]) -> Option<String> {
+    fn whole(&mut self, pieces: &[RewritingWord]) -> Option<String> {
         self.one(pieces, &[])
     }
 
-    fn one(&mut self, pieces: &[Piece], front: &[Piece]) -> Option<String> {
-        let without_commas: Vec<Piece> = pieces.iter().map(|piece| Piece { comma: false, ..piece.clone() }).collect();
-        let who = [Piece { text: self.who.to_lowercase(), shown: self.who.clone(), comma: false, counts: false }];
+    fn one(&mut self, pieces: &[RewritingWord], front: &[RewritingWord]) -> Option<String> {
+        let without_commas: Vec<RewritingWord> =
+            pieces.iter().map(|piece| RewritingWord { comma: false, ..piece.clone() }).collect();
+        let who =
+            [RewritingWord { text: self.who.to_lowercase(), shown: self.who.clone(), comma: false, counts: false }];
         let has_commas = pieces.iter().any(|piece| piece.comma);
         for pieces in [pieces, &without_commas].into_iter().take(1 + usize::from(has_commas)) {
             // Behind a subject, a word that began the sentence has a small letter.
@@ -137,12 +139,12 @@ impl Search<'_> {
     }
 
     /// A sentence for each clause. The words before the first subject are about all of them.
-    fn clauses(&mut self, pieces: &[Piece]) -> Option<Vec<String>> {
+    fn clauses(&mut self, pieces: &[RewritingWord]) -> Option<Vec<String>> {
         let lexicon = &self.names.lexicon;
-        let joins = |piece: &Piece| lexicon.is_word("joins", &piece.text);
+        let joins = |piece: &RewritingWord| lexicon.is_word("joins", &piece.text);
         let breaks: Vec<usize> =
             (1..pieces.len()).filter(|at| pieces[*at].comma || joins(&pieces[*at])).chain([pieces.len()]).collect();
-        let is_subject = |piece: &Piece| lexicon.is_word("subjects", &piece.text);
+        let is_subject = |piece: &RewritingWord| lexicon.is_word("subjects", &piece.text);
         let subject = pieces.iter().position(is_subject).unwrap_or(0);
         let verb = pieces.get(subject + 1).cloned();
         let (mut start, mut found) = (0, Vec::new());
@@ -160,8 +162,12 @@ impl Search<'_> {
                 let clause = &pieces[start..end];
                 let found = self.one(clause, front).or_else(|| {
                     let verb = verb.clone().filter(|_| start > subject)?;
-                    let who =
-                        Piece { text: self.who.to_lowercase(), shown: self.who.clone(), comma: false, counts: false };
+                    let who = RewritingWord {
+                        text: self.who.to_lowercase(),
+                        shown: self.who.clone(),
+                        comma: false,
+                        counts: false,
+                    };
                     self.read(&[front, &[who, verb], clause].concat())
                 })?;
                 Some((end, found))
@@ -187,7 +193,7 @@ impl Search<'_> {
     }
 
     /// The sentence, if it is read, if need be without words that change nothing.
-    fn read(&mut self, said: &[Piece]) -> Option<String> {
+    fn read(&mut self, said: &[RewritingWord]) -> Option<String> {
         self.tries = self.tries.checked_sub(1).filter(|_| self.steps < MOST_STEPS_OF_ALL)?;
         let text = sentence_of(said);
         let words = words::of_name(&text);
@@ -222,9 +228,11 @@ impl Search<'_> {
     }
 }
 
-/// The sentence with one of the halves of the day behind a time that leaves it open: mornings begin at seven (our choice).
+/// Hours that are of the morning where a time leaves the half of the day open: mornings begin at seven (our choice).
+const MORNINGS: [&str; 12] = ["7", "8", "9", "10", "11", "12", "seven", "eight", "nine", "ten", "eleven", "twelve"];
+
+/// The sentence with one of the halves of the day behind a time that leaves it open.
 fn closed(text: &str, span: TextSpan) -> String {
-    const MORNINGS: [&str; 12] = ["7", "8", "9", "10", "11", "12", "seven", "eight", "nine", "ten", "eleven", "twelve"];
     let said = &text[span.start..span.end];
     let is_early = said.split_whitespace().last().is_some_and(|hour| MORNINGS.contains(&hour));
     format!(
@@ -252,7 +260,7 @@ pub fn kept(names: &HomeNames, text: &str, tokens: &Tokens, chart: &Chart, skipp
         if skipped & 1 << at == 0 {
             let shown = text.get(word.span.start..word.span.end).filter(|shown| shown.to_lowercase() == word.text);
             let shown = shown.unwrap_or(&word.text).to_owned();
-            pieces.push(Piece { text: word.text.clone(), shown, comma: tokens.commas[at], counts: false });
+            pieces.push(RewritingWord { text: word.text.clone(), shown, comma: tokens.commas[at], counts: false });
         } else if matters(names, text, &tokens.words, at) {
             return None;
         }
@@ -260,7 +268,7 @@ pub fn kept(names: &HomeNames, text: &str, tokens: &Tokens, chart: &Chart, skipp
     Some(sentence_of(&pieces))
 }
 
-fn sentence_of(pieces: &[Piece]) -> String {
+fn sentence_of(pieces: &[RewritingWord]) -> String {
     let mut text = String::new();
     for piece in pieces {
         if !text.is_empty() {

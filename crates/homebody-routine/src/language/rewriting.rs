@@ -6,7 +6,7 @@
 
 /// A word of a sentence that is rewritten.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Piece {
+pub struct RewritingWord {
     /// In small letters.
     pub text: String,
     pub shown: String,
@@ -17,7 +17,7 @@ pub struct Piece {
 }
 
 #[derive(Clone, Debug)]
-enum Pattern {
+enum WordPattern {
     Start,
     Comma,
     Capital,
@@ -29,7 +29,7 @@ enum Pattern {
 
 #[derive(Clone, Debug)]
 pub struct Rewriting {
-    left: Vec<(Pattern, bool)>,
+    left: Vec<(WordPattern, bool)>,
     right: Vec<String>,
     /// Whether the right side has a number that the left side lacks.
     pub assumes: bool,
@@ -44,13 +44,13 @@ impl Rewriting {
         let pattern = |word: &str| {
             let optional = word.starts_with('[');
             let pattern = match word.trim_matches(['[', ']']) {
-                "^" => Pattern::Start,
-                "," => Pattern::Comma,
-                "CAP" => Pattern::Capital,
-                "_" => Pattern::Kept,
-                "NUM" => Pattern::Number,
-                "..." => Pattern::Rest,
-                words => Pattern::Words(words.split('|').map(str::to_owned).collect()),
+                "^" => WordPattern::Start,
+                "," => WordPattern::Comma,
+                "CAP" => WordPattern::Capital,
+                "_" => WordPattern::Kept,
+                "NUM" => WordPattern::Number,
+                "..." => WordPattern::Rest,
+                words => WordPattern::Words(words.split('|').map(str::to_owned).collect()),
             };
             (pattern, optional)
         };
@@ -62,20 +62,25 @@ impl Rewriting {
     }
 
     /// Rewrites the first place that fits.
-    pub fn apply(&self, pieces: &[Piece], joins: &dyn Fn(&str) -> bool) -> Option<Vec<Piece>> {
+    pub fn apply(&self, pieces: &[RewritingWord], joins: &dyn Fn(&str) -> bool) -> Option<Vec<RewritingWord>> {
         let fitting = Fitting { pieces, joins };
         (0..pieces.len()).find_map(|at| {
             let mut kept = Vec::new();
             let end = fitting.end(&self.left, at, at, &mut kept)?;
             let mut words = kept.iter();
-            let mut made: Vec<Piece> = Vec::new();
+            let mut made: Vec<RewritingWord> = Vec::new();
             for word in &self.right {
                 match word.as_str() {
                     "_" => made.extend(words.next().into_iter().flat_map(|kept| pieces[kept.clone()].iter().cloned())),
-                    _ => made.push(Piece { text: word.clone(), shown: word.clone(), comma: false, counts: false }),
+                    _ => made.push(RewritingWord {
+                        text: word.clone(),
+                        shown: word.clone(),
+                        comma: false,
+                        counts: false,
+                    }),
                 }
             }
-            let comma = pieces[at].comma && !matches!(self.left[0].0, Pattern::Comma);
+            let comma = pieces[at].comma && !matches!(self.left[0].0, WordPattern::Comma);
             if let Some(first) = made.first_mut() {
                 first.comma = comma;
             }
@@ -85,7 +90,7 @@ impl Rewriting {
 }
 
 struct Fitting<'p> {
-    pieces: &'p [Piece],
+    pieces: &'p [RewritingWord],
     joins: &'p dyn Fn(&str) -> bool,
 }
 
@@ -93,7 +98,7 @@ impl Fitting<'_> {
     /// The end of the pattern that begins at a word.
     fn end(
         &self,
-        left: &[(Pattern, bool)],
+        left: &[(WordPattern, bool)],
         start: usize,
         at: usize,
         kept: &mut Vec<std::ops::Range<usize>>,
@@ -103,14 +108,14 @@ impl Fitting<'_> {
         let ends =
             |at: usize| self.pieces.get(at).is_none_or(|piece| at > start && piece.comma || (self.joins)(&piece.text));
         let found = match pattern {
-            Pattern::Start => (at == 0).then(|| self.end(rest, start, at, kept))?,
-            Pattern::Comma => piece.filter(|piece| piece.comma).and_then(|_| self.end(rest, start + 1, at, kept)),
-            Pattern::Rest => {
+            WordPattern::Start => (at == 0).then(|| self.end(rest, start, at, kept))?,
+            WordPattern::Comma => piece.filter(|piece| piece.comma).and_then(|_| self.end(rest, start + 1, at, kept)),
+            WordPattern::Rest => {
                 let end = (at..=self.pieces.len()).find(|end| ends(*end))?;
                 let loses = self.pieces[at..end].iter().any(|piece| piece.counts);
                 (!loses).then(|| self.end(rest, start, end, kept))?
             }
-            Pattern::Kept => (1..=MOST_KEPT).find_map(|count| {
+            WordPattern::Kept => (1..=MOST_KEPT).find_map(|count| {
                 let has_end = (at..at + count).any(|within| self.pieces.len() <= within || within > at && ends(within));
                 if has_end {
                     return None;
@@ -121,16 +126,16 @@ impl Fitting<'_> {
                     None
                 })
             }),
-            Pattern::Number => {
+            WordPattern::Number => {
                 piece.filter(|piece| piece.text.starts_with(|c: char| c.is_ascii_digit())).and_then(|_| {
                     kept.push(at..at + 1);
                     self.end(rest, start, at + 1, kept)
                 })
             }
-            Pattern::Capital => piece
+            WordPattern::Capital => piece
                 .filter(|piece| at > 0 && piece.shown.starts_with(char::is_uppercase))
                 .and_then(|_| self.end(rest, start, at + 1, kept)),
-            Pattern::Words(words) => {
+            WordPattern::Words(words) => {
                 piece.filter(|piece| words.contains(&piece.text)).and_then(|_| self.end(rest, start, at + 1, kept))
             }
         };
