@@ -280,13 +280,13 @@ impl DrawnStatement {
 /// its time and length, too.
 fn covers(difference: &Difference, topic: FieldTopic) -> bool {
     let never = difference.lived.starts_with("0 times") || difference.lived.starts_with("nothing") || difference.told;
-    let is_late = difference.lived.contains("late");
     let is_short = difference.lived.contains("on average");
     never
         || match topic {
             FieldTopic::Time => !is_short,
             FieldTopic::Length => true,
-            FieldTopic::Days => !is_late && !is_short,
+            // An activity that has no room at its time is left out, too, once it is too late.
+            FieldTopic::Days => !is_short,
             FieldTopic::Other => false,
         }
 }

@@ -277,9 +277,9 @@ impl RoutineDriver {
         let (mut still, mut is_meanwhile, mut passed) = (None, false, Span::ZERO);
         if let Some(over) = self.scripts.pop() {
             (is_meanwhile, passed) = (over.is_meanwhile, now - over.since);
+            self.tally.end(over.of, over.own_time(now));
             still = over.answers.map(|rank| (rank, over.still)).filter(|(_, still)| !still.is_empty());
             self.watches.has_done(&over.label, now, &self.life);
-            self.tally.end(over.of, over.own_time(now));
             if let Some(below) = self.scripts.last_mut().filter(|_| over.of.is_some()) {
                 below.paused += passed;
             }
