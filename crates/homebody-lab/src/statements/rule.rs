@@ -378,15 +378,20 @@ impl DrawnRule {
             let wrong = occasions.iter().filter(|due| must_not(due) && answered(due).is_some()).count();
             fields.push(FieldResult::range("unless", 0.0, 0.0, wrong as f64, "answers after 20:00"));
         }
+        // A visitor may interrupt an answer, which goes on afterwards.
+        let whole = |first: &Occurrence| {
+            let pieces =
+                answers.iter().filter(|one| (Span::ZERO..PAUSE).contains(&(one.time.begin - first.time.begin)));
+            minutes(pieces.map(|one| one.lasted).sum())
+        };
         let lengths: Vec<_> = valid
             .iter()
             .filter_map(|due| answered(due))
             .map(|one| {
+                let is_right =
+                    |lasted: &f64| (0.9 * self.length_min - 1.0..=1.1 * self.length_min + 1.5).contains(lasted);
                 let lasted = minutes(one.lasted);
-                (
-                    (0.9 * self.length_min - 1.0..=1.1 * self.length_min + 1.5).contains(&lasted),
-                    format!("{lasted:.1} min"),
-                )
+                (is_right(&lasted) || is_right(&whole(one)), format!("{lasted:.1} min"))
             })
             .collect();
         fields.extend(FieldResult::most("length", &format!("{} min", self.length_min), &lengths));

@@ -390,7 +390,15 @@ impl RoutineDriver {
             let mesh = self.body.mesh();
             mesh.is_free(at) && mesh.is_free((at + door.at) / 2.0) && self.home.plan.room_at(at) == door.room
         };
-        let at = around.into_iter().find(is_open)?;
+        // Out of the way of the visitor, which leads to a seat.
+        let seat = self.places.for_role(Role::GuestSeat).and_then(|seat| self.body.mesh().path(door.at, seat.at));
+        let way: Vec<Point> = std::iter::once(door.at).chain(seat.into_iter().flatten()).collect();
+        let clear_m = |at: &Point| {
+            let parts = way.windows(2).map(|part| geometry::distance_to_segment(*at, part[0], part[1]));
+            parts.fold(f64::INFINITY, f64::min)
+        };
+        let open = around.into_iter().filter(is_open);
+        let at = open.min_by(|one, other| clear_m(other).total_cmp(&clear_m(one)))?;
         Some(HomePlace::to_stand(at, door.room?))
     }
 
