@@ -476,5 +476,5 @@ const SOMETHING: &str = "in between/";
 
 /// A stay that only rules interrupt.
 fn staying(posture: Posture, manner: Manner, left: Span) -> ActivityStep {
-    ActivityStep::Stay(StayStep { posture, manner, left, until: None, may: Interruptible::Rules })
+    ActivityStep::Stay(StayStep { posture, manner, left, until: None, may: Interruptible::Nothing })
 }
