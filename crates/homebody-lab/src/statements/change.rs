@@ -431,10 +431,12 @@ impl DrawnChange {
                 let Some(twin) = twin else { return fields };
                 let factor = if matches!(self.effect, Effect::QuietDay(_)) { 0.5 } else { 1.5 };
                 let on = |view: &LifeView, days: u8| {
-                    mean(&daily(view, Subject::Metres, &Filter { weekdays: Some(days), ..over(0, view.days) }))
+                    daily(view, Subject::Metres, &Filter { weekdays: Some(days), ..over(0, view.days) })
                 };
-                let ratio = |days: u8| on(view, days) / on(twin, days);
-                let (low, high) = near(factor, 0.17 * factor);
+                let ratio = |days: u8| mean(&on(view, days)) / mean(&on(twin, days));
+                let (own, of_twin) = (on(view, 1 << weekday), on(twin, 1 << weekday));
+                let ratios: Vec<f64> = own.iter().zip(&of_twin).map(|(own, twin)| own / twin).collect();
+                let (low, high) = near(factor, 0.1 * factor + mean_error(spread(&ratios), ratios.len()));
                 add("size", low, high, ratio(1 << weekday), "of the twin's metres");
                 add("days of the week", 0.9, 1.1, ratio(!(1 << weekday) & 0x7f), "of the twin's metres on other days");
             }

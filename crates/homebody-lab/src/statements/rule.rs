@@ -220,7 +220,8 @@ impl DrawnRule {
         let wait = |minutes: f64| Span::from_seconds(minutes * 60.0);
         let lasting = |all: Vec<Occurrence>, least: f64| {
             all.into_iter()
-                .filter(|one| minutes(one.time.length()) > least + 1.0)
+                // "For an hour" is give or take a tenth.
+                .filter(|one| minutes(one.time.length()) > 1.1 * least + 1.0)
                 .map(|one| one.time.begin + wait(least))
                 .collect()
         };

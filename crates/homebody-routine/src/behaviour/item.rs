@@ -94,7 +94,7 @@ impl Item {
             falling: None,
             visitor: None,
             start: RunTime::START,
-            stated_by: RunTime::START,
+            stated_by: RunTime::MIN,
             lasts,
             until: None,
             latest: RunTime::MAX,

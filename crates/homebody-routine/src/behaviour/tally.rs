@@ -52,7 +52,9 @@ impl SentenceTally {
         self.count(item.of, |lived| {
             lived.begun += 1;
             lived.planned_s += until_s.unwrap_or(item.lasts.seconds());
-            lived.late += u32::from(now - item.start.max(item.stated_by) > LATE);
+            // A stated time stays as it is, whatever moved the start.
+            let due = if item.stated_by > RunTime::MIN { item.stated_by } else { item.start };
+            lived.late += u32::from(now - due > LATE);
         });
         // An outing ends when the sentence says so, unless it begins later than that.
         let is_late = item.until.is_some_and(|home| now - home > LATE);
