@@ -111,7 +111,7 @@ impl DrawnLife {
     pub fn measure(&self) -> Vec<FieldRow> {
         let mut rows = Vec::new();
         let mut left: Vec<usize> = (0..self.statements.len()).collect();
-        // A refused statement is told, and the others are measured without it.
+        // The program reported a refused statement. The others are measured without it.
         let life = loop {
             match self.simulate(&left) {
                 Ok(life) => break life,

@@ -1,4 +1,4 @@
-//! Drawn changes, measured before and after, or beside a twin without them.
+//! Drawn changes. A change is measured before and after its beginning, or against a twin run without it.
 
 use super::bounds::{self, count_bounds, mean, mean_error, spread};
 use super::days::DrawnPhase;
@@ -21,7 +21,7 @@ pub enum DrawnEffect {
     Longer(f64),
     LongerBy(f64),
     Oftener(f64),
-    /// Of a need, beside the twin; at night if true.
+    /// Of a need, against the twin run; at night if true.
     NeedOftener(f64, bool),
     Skips(f64),
     Irregular(f64),
@@ -58,7 +58,7 @@ const CHANGED: [(&str, &str, &str); 4] = [
     ("takes a shower", "she takes a shower at 09:30 for 15 minutes.", SHOWERING),
 ];
 
-/// What two values may differ by apart from chance (our choice), relative to the value.
+/// Allowed difference of two values apart from chance, relative to the value (our choice).
 const NEAR: f64 = 0.05;
 
 impl DrawnChange {

@@ -8,7 +8,7 @@ use homebody_core::activity::{
     WANDERING, WATCHING_TELEVISION, WRITING,
 };
 
-/// What happens of an activity without a statement.
+/// The occurrences of an activity without a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Background {
     /// Nothing.

@@ -1,4 +1,4 @@
-//! Draws lives: a home, a routine, and one to three statements.
+//! Draws lives. A life has a home, a routine and one to three statements.
 
 use super::change::DrawnChange;
 use super::habit::DrawnHabit;
@@ -114,7 +114,7 @@ impl DrawnLife {
         life
     }
 
-    /// Draws lives until they have at least so many statements. Each has streams of its own.
+    /// Draws lives with at least so many statements in all. Each has streams of its own.
     pub fn draw_all(count: usize, seed: u64, days: &RangeInclusive<i32>) -> Vec<DrawnLife> {
         let (mut lives, mut first): (Vec<DrawnLife>, usize) = (Vec::new(), 0);
         while first < count {

@@ -33,7 +33,7 @@ pub struct FieldResult {
     pub holds: bool,
 }
 
-/// What differences of the program can be about.
+/// The subject of a reported difference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FieldTopic {
     Days,

@@ -1,4 +1,4 @@
-//! The homes of drawn lives, and the routines that statements are added to.
+//! The homes and the basic routines of drawn lives.
 
 use super::numbers::Draw;
 use homebody_core::activity::{
@@ -126,7 +126,7 @@ pub struct DrawnBase {
     pub about: Vec<&'static str>,
 }
 
-/// What statements are drawn for: a home, a routine and the days of a run.
+/// A home, a routine and the days of a run, for which statements are drawn.
 #[derive(Clone, Debug)]
 pub struct LifeContext {
     pub days: i32,

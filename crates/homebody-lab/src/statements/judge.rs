@@ -67,7 +67,7 @@ impl DrawnHabit {
         }
     }
 
-    /// The numbers of the statement as it was read, beside the drawn ones.
+    /// Compares the numbers of the parsed statement with the drawn ones.
     pub fn explained(&self, read: &Habit) -> Option<FieldResult> {
         let seconds = |minutes: &Fuzzy| minutes.map(|minutes| minutes * MINUTE.seconds());
         let time = match (&self.time, &read.when.time) {
@@ -172,7 +172,7 @@ impl DrawnHabit {
                 DrawnTime::After(..) | DrawnTime::Before(..) | DrawnTime::With(_) => {
                     let of_day = anchors.iter().filter(|one| view.day_of(one.time.begin) == day);
                     anchor = of_day.map(|one| Interval::new(one.time.begin, one.time.end)).next();
-                    // Without the other activity there is no occasion.
+                    // An occasion needs the other activity.
                     chance = if anchor.is_some() { chance } else { -1.0 };
                 }
                 _ => {}
@@ -490,7 +490,7 @@ impl DrawnHabit {
         let whole = minutes(inner.length());
         let mut fields = Vec::new();
         if whole > 0.0 {
-            // A guest goes out with nobody.
+            // A guest stays in the home.
             fields.push(FieldResult::range("whole days", 98.0, 100.1, 100.0 * within / whole, "% of the days between"));
         }
         let longest = all.iter().map(|one| minutes(one.time.length())).fold(0.0, f64::max) / 1440.0;

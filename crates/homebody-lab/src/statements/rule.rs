@@ -227,7 +227,7 @@ impl DrawnRule {
         };
         match self.trigger {
             Trigger::Doing(label, least) => {
-                // What the answer or a meal interrupts is the same activity.
+                // An activity that the answer or a meal interrupts stays the same activity.
                 let mut all: Vec<Occurrence> = Vec::new();
                 for one in view.labelled(label) {
                     match all.last_mut().filter(|last| one.time.begin - last.time.end < PAUSE) {
@@ -336,7 +336,7 @@ impl DrawnRule {
         };
         let must_not =
             |at: &RunTime| self.until_min.is_some_and(|until| minutes(*at - view.life.midnight(*at)) > until + 1.0);
-        // "For 20 minutes" is give or take a tenth. What is answered at once comes before the label of its cause.
+        // "For 20 minutes" is give or take a tenth. An answer at once comes before the label of its cause.
         let (early, late) = match self.trigger {
             Trigger::Doing(_, 0.0) => (self.length_min + NEEDS_MIN, ANSWERED_MIN),
             Trigger::Doing(_, wait) | Trigger::AloneAfter(_, wait) | Trigger::Sitting(wait) => {
@@ -379,7 +379,7 @@ impl DrawnRule {
             let wrong = occasions.iter().filter(|due| must_not(due) && answered(due).is_some()).count();
             fields.push(FieldResult::range("unless", 0.0, 0.0, wrong as f64, "answers after 20:00"));
         }
-        // A visitor may interrupt an answer, which goes on afterwards.
+        // A visitor may interrupt an answer. The resident continues it afterwards.
         let whole = |first: &Occurrence| {
             let pieces =
                 answers.iter().filter(|one| (Span::ZERO..PAUSE).contains(&(one.time.begin - first.time.begin)));
