@@ -52,9 +52,9 @@ impl SentenceTally {
         self.count(item.of, |lived| {
             lived.begun += 1;
             lived.planned_s += until_s.unwrap_or(item.lasts.seconds());
-            // A stated time stays as it is, whatever moved the start.
+            // The stated time counts, even if something else moved the start. A visitor who was let in came in time.
             let due = if item.stated_by > RunTime::MIN { item.stated_by } else { item.start };
-            lived.late += u32::from(now - due > LATE);
+            lived.late += u32::from(!item.is_let_in && now - due > LATE);
         });
         // An outing ends when the sentence says so, unless it begins later than that.
         let is_late = item.until.is_some_and(|home| now - home > LATE);

@@ -29,7 +29,7 @@ fn metres(segment: &MotionSegment) -> f64 {
     }
 }
 
-/// A way with a rest after each stretch of the longest length, of which some metres may have been walked before.
+/// A way with a rest after each longest stretch. The first stretch may have begun before the way.
 fn with_rests(
     moves: Vec<MotionSegment>,
     rests: WalkRests,

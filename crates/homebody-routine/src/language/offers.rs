@@ -172,7 +172,7 @@ impl Search<'_> {
                 })?;
                 Some((end, found))
             });
-            // A clause that is not read is a note beside the others.
+            // An unread clause becomes a note.
             let (end, sentence) = match next {
                 Some(next) => next,
                 None if lexicon.is_word("conditions", &pieces[start].text) => return None,

@@ -116,7 +116,7 @@ pub fn without_reading(names: &HomeNames, context: Context, chart: &Chart) -> Fa
     vec![(whole, WordMessage::NotAPerson { text: said(text, whole) }.into())]
 }
 
-/// A visitor does something that is no visit.
+/// An activity of a visitor other than a visit.
 fn of_visitor(context: Context, chart: &Chart) -> Option<(TextSpan, Diagnostic)> {
     chart.phrases("Visitor").find(|item| item.skipped == 0 && item.start == 0)?;
     let doing = chart.phrases("Does").next()?;

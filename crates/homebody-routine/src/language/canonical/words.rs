@@ -42,7 +42,7 @@ pub fn duration(lasts: &Fuzzy) -> String {
     amount(lasts, size, unit, PLAIN_SHARE, ABOUT_SHARE)
 }
 
-/// The largest unit in which all numbers are whole.
+/// The largest unit that makes all numbers whole.
 pub fn unit(lasts: &Fuzzy) -> (f64, &'static str) {
     let is_whole = |size: f64| [lasts.from, lasts.to].iter().all(|value| value % size == 0.0);
     let units = [(86_400.0, "days"), (3600.0, "hours"), (60.0, "minutes")];
