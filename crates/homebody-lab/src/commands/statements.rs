@@ -55,10 +55,8 @@ impl StatementsLabArguments {
             lives.retain(|life| (life.first..life.first + life.statements.len()).contains(&only));
         }
         let rows = evaluate_each(&lives, "lives", |life| Ok::<_, Failure>(life.measure()))?.concat();
-        if self.only.is_some() {
-            if let Some(row) = rows.first() {
-                print_text(&format!("# {} days in {}\n{}\n", row.days, row.home, row.routine))?;
-            }
+        if let (Some(_), Some(row)) = (self.only, rows.first()) {
+            print_text(&format!("# {} days in {}\n{}\n", row.days, row.home, row.routine))?;
         }
         let statements = lives.iter().map(|life| life.statements.len()).sum();
         let experiment = StatementsExperiment::from_rows(rows, statements, self.seed);

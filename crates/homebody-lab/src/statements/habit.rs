@@ -410,7 +410,7 @@ impl DrawnHabit {
                 format!("{phase}{chance}{who} {words}{place}{time}{times}{days}{after}{mostly}{length}")
             }
         };
-        let text = home.of_person(&text.replace(",,", ",").trim_end_matches(',').to_owned());
+        let text = home.of_person(text.replace(",,", ",").trim_end_matches(','));
         let mut text = text;
         text[..1].make_ascii_uppercase();
         format!("{text}.")

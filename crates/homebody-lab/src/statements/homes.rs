@@ -249,7 +249,7 @@ impl DrawnBase {
             let eats = told.iter().any(|(words, label)| sentence.contains(words) && replaces(label));
             let cooks_and_eats = sentence.contains("then eats")
                 && cooked.iter().any(|(meal, label)| sentence.contains(meal) && replaces(label));
-            !eats && !cooks_and_eats && !(sentence.contains("goes out") && replaces(AWAY))
+            !(eats || cooks_and_eats || sentence.contains("goes out") && replaces(AWAY))
         };
         sentences.extend(self.sentences.iter().filter(is_kept).map(|sentence| home.of_person(&lowered(sentence))));
         sentences.extend(statements.iter().map(|statement| (*statement).to_owned()));
