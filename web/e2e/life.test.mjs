@@ -42,7 +42,9 @@ test('a mistake is underlined, in the words of the program, and mended by comple
   await page.keyboard.type('\nShe wtches television at about 20:00 for 1 hour.');
   await page.keyboard.press('Escape');
   await problems.getByText('1 problem').waitFor();
-  assert.deepEqual(await page.locator('.cm-lintRange-error').allInnerTexts(), ['wtches television']);
+  const underlined = page.locator('.cm-lintRange-error');
+  await underlined.first().waitFor();
+  assert.deepEqual(await underlined.allInnerTexts(), ['wtches television']);
   assert.equal(onDisk(), before, 'nothing is written before it is saved');
   await page.keyboard.press('Control+s');
   await page.getByText('All changes saved.').waitFor();
