@@ -1,4 +1,4 @@
-//! The order of a day: meals one after the other, and what has no time of its own in the time that is free.
+//! The order of a day: one meal after the other, and activities without a time of their own in free time.
 
 use super::drafts::{SOON_DONE, TO_AND_FRO};
 use super::item::Item;

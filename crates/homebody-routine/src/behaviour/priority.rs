@@ -15,6 +15,13 @@ const KEEPS_WARM: Span = MINUTE.times(30);
 /// Longest chain of activities that follow each other (our choice).
 const MOST_LINKS: u32 = 8;
 
+/// The time at the table after cooking: cooked food is eaten at once.
+fn time_at_table(next: &Item, rest: &[Item]) -> Span {
+    let meal = next.activity.of_same_meal().filter(|_| matches!(next.activity, Activity::Prepare(_)));
+    let is_eaten = |item: &&Item| meal.as_ref() == Some(&item.activity) && item.visitor.is_none();
+    rest.iter().find(is_eaten).map_or(Span::ZERO, |meal| TO_AND_FRO + meal.lasts)
+}
+
 impl RoutineDriver {
     /// Unstated activities wait if they would delay stated ones, and flexible ones if they would delay those with a time.
     /// No one goes out just before a meal.
@@ -33,12 +40,8 @@ impl RoutineDriver {
         let (is_outing, gives_way) = (next.activity == Activity::Leave, next.activity.gives_way_to_meals());
         // With walks, it takes somewhat longer than planned.
         let end = now + next.lasts + if is_outing { 4 * MINUTE } else { 2 * MINUTE };
-        // Cooked food is eaten at once, and a visitor is let in from the table.
-        let is_eaten = |item: &&Item| {
-            let meal = next.activity.of_same_meal().filter(|_| matches!(next.activity, Activity::Prepare(_)));
-            meal.as_ref() == Some(&item.activity) && item.visitor.is_none()
-        };
-        let at_table = rest.iter().find(is_eaten).map_or(Span::ZERO, |meal| TO_AND_FRO + meal.lasts);
+        let at_table = time_at_table(next, rest);
+        // A visitor is let in from the table.
         let end_before = |item: &Item| if item.visitor.is_some() { end } else { end + at_table };
         let fits_after = |item: &Item| item.start + item.lasts + next.lasts + at_table < bed;
         let is_timed = |item: &Item| {
@@ -67,17 +70,14 @@ impl RoutineDriver {
         }
     }
 
-    /// An activity with some leeway waits for one that would be late after it, if both are in time so.
+    /// Begins an activity with some leeway later, so that another one after it is in time, too.
     pub(super) fn let_both_be_in_time(&mut self, now: RunTime) {
         let rest = &self.agenda.items[self.next_item..];
         let Some(next) = rest.first().filter(|next| next.start <= now + MINUTE) else { return };
         if next.waits || next.visitor.is_some() || next.until.is_some() {
             return;
         }
-        let meal = next.activity.of_same_meal().filter(|_| matches!(next.activity, Activity::Prepare(_)));
-        let is_eaten = |item: &&Item| Some(&item.activity) == meal.as_ref() && item.visitor.is_none();
-        let at_table = rest.iter().find(is_eaten).map_or(Span::ZERO, |meal| TO_AND_FRO + meal.lasts);
-        let end = now + next.lasts + at_table;
+        let end = now + next.lasts + time_at_table(next, rest);
         let over = |item: &Item| item.start + item.lasts + TO_AND_FRO;
         let is_squeezed = |item: &&Item| {
             let is_own = !item.waits && item.has_its_time && item.visitor.is_none() && !item.is_essential();
