@@ -14,7 +14,7 @@ mod truth;
 #[cfg(test)]
 mod tests;
 
-pub use subject::{Filter, Subject};
+pub use subject::{Filter, Subject, WEEKDAYS};
 pub use text::{CLAIMS, CONDITIONS, Claim, ClaimCase, ClaimHome};
 pub use truth::{ClaimTruth, Occurrence};
 

@@ -6,7 +6,7 @@ use super::field::{FieldResult, LifeView};
 use super::homes::LifeContext;
 use super::homes::{DrawnHome, clock};
 use super::numbers::Draw;
-use crate::claims::{Filter, Occurrence, Subject};
+use crate::claims::{Filter, Occurrence, Subject, WEEKDAYS};
 use homebody_core::activity::{
     AWAY, DRINKING, EATING_DINNER, EATING_LUNCH, EXERCISING, GETTING_UP, GOING_TO_BED, HAVING_A_SNACK, NAPPING,
     PREPARING_DINNER, PREPARING_LUNCH, SHOWERING, TAKING_MEDICINE, USING_BATHROOM,
@@ -47,8 +47,6 @@ pub struct DrawnChange {
     pub phase: DrawnPhase,
     pub effect: DrawnEffect,
 }
-
-const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
 
 /// A habit that is changed: its words without an ending, its carrier, and its label.
 const CHANGED: [(&str, &str, &str); 4] = [

@@ -1,10 +1,9 @@
 //! The days of a drawn statement: their words, and the probability of each.
 
 use super::numbers::Draw;
+use crate::claims::WEEKDAYS;
 use homebody_core::calendar::Calendar;
 use homebody_core::fuzzy::Quantifier;
-
-const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
 
 const MONTHS: [&str; 12] = [
     "January",

@@ -114,7 +114,7 @@ impl DrawnLife {
         life
     }
 
-    /// Draws lives with at least so many statements in all. Each has streams of its own.
+    /// Draws lives. Together they have `count` statements or a few more. Each has streams of its own.
     pub fn draw_all(count: usize, seed: u64, days: &RangeInclusive<i32>) -> Vec<DrawnLife> {
         let (mut lives, mut first): (Vec<DrawnLife>, usize) = (Vec::new(), 0);
         while first < count {

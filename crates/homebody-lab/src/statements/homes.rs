@@ -1,4 +1,4 @@
-//! The homes and the basic routines of drawn lives.
+//! Homes and basic routines, from which lives are drawn.
 
 use super::numbers::Draw;
 use homebody_core::activity::{
@@ -126,7 +126,7 @@ pub struct DrawnBase {
     pub about: Vec<&'static str>,
 }
 
-/// A home, a routine and the days of a run, for which statements are drawn.
+/// The home, the basic routine and the days of a run. Statements are drawn for them.
 #[derive(Clone, Debug)]
 pub struct LifeContext {
     pub days: i32,

@@ -6,7 +6,7 @@ use super::field::{FieldResult, LifeView, MINUTE, containing, minutes};
 use super::homes::LifeContext;
 use super::homes::{DrawnHome, clock};
 use super::numbers::Draw;
-use crate::claims::Occurrence;
+use crate::claims::{Occurrence, Subject};
 use homebody_core::activity::{
     AWAY, CARING_FOR_PLANTS, CHECKING_HEALTH, DRINKING, EATING_BREAKFAST, EATING_LUNCH, EXERCISING, GETTING_UP,
     GOING_TO_BED, HAVING_A_SNACK, MAKING_MUSIC, PACING, PRAYING, USING_BATHROOM, WRITING,
@@ -246,9 +246,7 @@ impl DrawnRule {
                 view.stays(who).unwrap_or_default().iter().map(|one| one.time.end + wait(least)).collect()
             }
             Trigger::Sitting(least) => lasting(view.life.sitting(view.who), least),
-            Trigger::In(room, least) => {
-                lasting(view.life.spans(view.who, &crate::claims::Subject::Room(room.to_owned())), least)
-            }
+            Trigger::In(room, least) => lasting(view.life.spans(view.who, &Subject::Room(room.to_owned())), least),
             Trigger::Out(least) => lasting(view.labelled(AWAY), least),
             Trigger::InBed(least) => {
                 view.labelled(GOING_TO_BED).iter().map(|one| one.time.begin + wait(least)).collect()
@@ -270,37 +268,19 @@ impl DrawnRule {
         let occasions: Vec<RunTime> = self.occasions(view).into_iter().filter(is_counted).filter(is_home).collect();
         let mut fields = Vec::new();
         match self.trigger {
-            Trigger::On(thing, least) => {
-                let on: Vec<_> = view.life.spans(view.who, &crate::claims::Subject::Thing(thing.to_owned()));
-                let cases: Vec<_> = on
-                    .iter()
-                    .filter(|one| is_counted(&one.time.begin))
-                    .map(|one| {
-                        (
-                            minutes(one.time.length()) <= least + ANSWERED_MIN,
-                            format!("{} min from {}", minutes(one.time.length()).round(), view.clock(one.time.begin)),
-                        )
-                    })
-                    .collect();
-                fields.extend(FieldResult::most("answer", &format!("off within {least} min"), &cases));
-                return fields;
-            }
-            Trigger::Out(least) | Trigger::In(_, least) => {
-                let all = match self.trigger {
-                    Trigger::In(room, _) => view.life.spans(view.who, &crate::claims::Subject::Room(room.to_owned())),
-                    _ => view.labelled(AWAY),
+            Trigger::On(_, least) | Trigger::Out(least) | Trigger::In(_, least) => {
+                let (all, over) = match self.trigger {
+                    Trigger::On(thing, _) => (view.life.spans(view.who, &Subject::Thing(thing.to_owned())), "off"),
+                    Trigger::In(room, _) => (view.life.spans(view.who, &Subject::Room(room.to_owned())), "over"),
+                    _ => (view.labelled(AWAY), "over"),
                 };
-                let cases: Vec<_> = all
-                    .iter()
-                    .filter(|one| is_counted(&one.time.begin))
-                    .map(|one| {
-                        (
-                            minutes(one.time.length()) <= least + ANSWERED_MIN,
-                            format!("{} min from {}", minutes(one.time.length()).round(), view.clock(one.time.begin)),
-                        )
-                    })
-                    .collect();
-                fields.extend(FieldResult::most("answer", &format!("over within {least} min"), &cases));
+                let case = |one: &Occurrence| {
+                    let lasted = minutes(one.time.length());
+                    let words = format!("{} min from {}", lasted.round(), view.clock(one.time.begin));
+                    (lasted <= least + ANSWERED_MIN, words)
+                };
+                let cases: Vec<_> = all.iter().filter(|one| is_counted(&one.time.begin)).map(case).collect();
+                fields.extend(FieldResult::most("answer", &format!("{over} within {least} min"), &cases));
                 return fields;
             }
             Trigger::InBed(_) => {
