@@ -238,7 +238,11 @@ fn rule_cells(row: &mut ExplanationRow, rule: &RoutineRule) {
 fn effect_words(change: &RoutineChange) -> String {
     let factor = |factor: &Fuzzy| format!("{} times", numbers(factor.low, factor.high));
     let part = change.when.part().map_or(String::new(), |part| format!(" ({})", part.word()));
-    let chance = number(change.when.chance.probability);
+    let chance = format!("with probability {}", number(change.when.chance.probability));
+    let of_a_day = match change.when.chance.days_a_week {
+        Some(days) => format!("on {days} days a week"),
+        None => format!("on a day {chance}"),
+    };
     match &change.effect {
         Effect::Shows { condition, severity } => format!("{condition}, {}", severity_words(*severity)),
         Effect::Pace(by) => format!("walking speed {}", factor(by)),
@@ -249,18 +253,18 @@ fn effect_words(change: &RoutineChange) -> String {
         Effect::Oftener { activity, factor: by } if by.high <= 0.0 => format!("never {}{part}", phrase(activity)),
         Effect::Oftener { activity, factor: by } => format!("{}{part} {} as often", phrase(activity), factor(by)),
         Effect::Skips { activity } => {
-            format!("{}: left out on a day with probability {chance}", phrase(activity))
+            format!("{}: left out {of_a_day}", phrase(activity))
         }
         Effect::Irregular(by) => format!("times and durations vary {} as much", factor(by)),
         Effect::Active { factor: by } => format!("movement while awake at home{part} {}", factor(by)),
         Effect::DaysDiffer(by) => format!("days differ {} as much in how lively they are", factor(by)),
         Effect::DaysAre { kind, very } => {
             let very = if *very { "very " } else { "" };
-            format!("{very}{} days, with probability {chance}", kind.word())
+            format!("{very}{} days, {of_a_day}", kind.word())
         }
         Effect::SleepsIn => "after a late night gets up as much later".into(),
         Effect::Restless(by) => format!("turning in bed {}", factor(by)),
-        Effect::Forgets { thing } => format!("{thing}: left on or open after use with probability {chance}"),
+        Effect::Forgets { thing } => format!("{thing}: left on or open after use {chance}"),
         Effect::KeepsOn { thing } => match (&change.when.time, &change.when.until) {
             (HabitTime::At(from), Some(until)) => {
                 format!("{thing}: on or open from {} to {}", clock(from.mean()), clock(until.mean()))
@@ -268,10 +272,7 @@ fn effect_words(change: &RoutineChange) -> String {
             _ => format!("{thing}: on or open all night"),
         },
         Effect::Range { place, inside } => {
-            format!(
-                "{} the {place} with probability {chance}",
-                if *inside { "does not leave" } else { "does not enter" }
-            )
+            format!("{} the {place} {of_a_day}", if *inside { "does not leave" } else { "does not enter" })
         }
         Effect::Spares { thing } => format!("{thing}: not used"),
         Effect::Shy { of: Shy::OpenFloor, gain } => {
@@ -372,7 +373,10 @@ fn short_days(days: &DaySelection, chance: &HabitChance) -> String {
         days.kind.map_or(String::new(), |kind| kind.word().to_owned()),
         such_days(days).join(", "),
         every,
-        format!("p {}{becomes}", number(chance.probability)),
+        match chance.days_a_week {
+            Some(days) => format!("{days} a week"),
+            None => format!("p {}{becomes}", number(chance.probability)),
+        },
     ];
     join(parts.into_iter(), " ")
 }

@@ -393,18 +393,21 @@ impl Routine {
 }
 
 impl Habit {
-    /// Whether it states the frequency of an activity by day or by night. A time, or a preceding activity, only describes
-    /// one occasion.
+    /// Whether it states the frequency of an activity by day or by night. A preceding activity, or a time without a number
+    /// of repetitions, only describes one occasion.
     pub fn is_how_often(&self, activity: &Activity, at_night: bool) -> bool {
-        let span = match self.when.time {
+        let span = match &self.when.time {
             HabitTime::AnyTime | HabitTime::Within(PartOfDay::Day) => Some(false),
             HabitTime::Within(PartOfDay::Night) => Some(true),
+            // "5 times a day between 07:00 and 19:00".
+            HabitTime::At(time) if self.when.times.1 > 1 => Some(PartOfDay::Night.contains(time.mean())),
             _ => None,
         };
         self.activity == *activity && self.visitor.is_none() && span == Some(at_night)
     }
 
     /// Whether it replaces a usual habit: the same activity, and after the same one if several differ by that.
+    /// Who needs help with the shower or the laundry does not do it alone on other days.
     pub(crate) fn stands_for(&self, usual: &Habit) -> bool {
         // A week in hospital does not replace usual outings.
         let is_long = self.when.nights > 0 || self.when.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
@@ -412,13 +415,16 @@ impl Habit {
             (HabitTime::After(of, _), HabitTime::After(after, _)) => usual.activity == Activity::WashUp && of != after,
             _ => false,
         };
-        self.activity == usual.activity && self.visitor.is_none() && !is_long && !is_after_another
+        let is_help =
+            matches!(usual.activity, Activity::Shower | Activity::Laundry) && self.does.contains(&usual.activity);
+        is_help || self.activity == usual.activity && self.visitor.is_none() && !is_long && !is_after_another
     }
+}
 
-    /// Whether all people do it daily: a sentence about Sundays then leaves the usual habit on other days.
-    pub(crate) fn is_of_every_day(&self) -> bool {
-        use Activity::{Dress, Eat, GetUp, GoToBed, Prepare, Wash};
-        matches!(self.activity, GetUp | GoToBed | Dress | Wash | Prepare(_) | Eat(_))
+impl Effect {
+    /// Whether its chance is drawn once a day, as opposed to once for each use of a thing.
+    pub(crate) fn is_of_a_day(&self) -> bool {
+        matches!(self, Effect::Skips { .. } | Effect::KeepsOn { .. } | Effect::Range { .. })
     }
 }
 
@@ -484,6 +490,12 @@ impl PartOfDay {
             PartOfDay::Day => DAY_H,
         };
         (from * 3600.0, to * 3600.0)
+    }
+
+    /// Whether a time is in it, in seconds since midnight.
+    pub fn contains(self, time_s: f64) -> bool {
+        let (from_s, to_s) = self.hours();
+        (0.0..to_s - from_s).contains(&(time_s - from_s).rem_euclid(86_400.0))
     }
 
     pub fn word(self) -> &'static str {

@@ -2,7 +2,7 @@
 
 use crate::stage::{Simulated, day, files, hour};
 use homebody_core::event::Fact;
-use homebody_core::time::{Interval, MINUTE, RunTime, SECOND, Span};
+use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, SECOND, Span};
 
 const BASE: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 07:00.\nShe goes to bed at 22:30.\n";
 const LATE_RISER: &str = "Margaret is 82. She walks at 0.65 m/s.\nShe gets up at 10:15.\nShe goes to bed at 01:15.\n";
@@ -327,4 +327,74 @@ fn an_early_rising_moves_what_follows_it() {
     let gaps = minutes_after(&lived, "getting_up", &prayers);
     let right = gaps.iter().filter(|gap| (28.0..45.0).contains(*gap)).count();
     assert!(right as f64 > 0.85 * gaps.len() as f64 && gaps.len() > 30, "{gaps:?}");
+}
+
+/// How often an activity is done on each of these days, and in the nights before them.
+fn by_day_and_night(lived: &Simulated, name: &str, days: std::ops::Range<i64>) -> (Vec<usize>, Vec<usize>) {
+    let hours: Vec<f64> = lived.of(name).map(|one| one.begin.since_zero().ratio(HOUR)).collect();
+    let between = |from: f64, to: f64| hours.iter().filter(|hour| (from..to).contains(*hour)).count();
+    let start = |day: i64| day as f64 * 24.0;
+    let nights = days.clone().map(|day| between(start(day) - 1.2, start(day) + 6.75)).collect();
+    (days.map(|day| between(start(day) + 6.75, start(day) + 22.8)).collect(), nights)
+}
+
+#[test]
+fn stated_times_of_a_night_are_all_its_visits() {
+    let nights = |said: &str| by_day_and_night(&simulate(BASE, said, 60), "using_bathroom", 1..60).1;
+    let exact = nights("She goes to the bathroom at about 01:00 and at about 04:00.");
+    assert!(exact.iter().filter(|of| **of == 2).count() >= 57, "{exact:?}");
+    let usual = nights("");
+    assert!(usual.iter().filter(|of| **of == 2).count() < 40, "{usual:?}");
+    let dated = nights("On day 6 she goes to the bathroom at 03:15.");
+    assert_eq!(dated[4], 1, "{dated:?}");
+    assert!(dated.iter().sum::<usize>() > usual.iter().sum::<usize>() / 2);
+}
+
+#[test]
+fn so_many_times_a_day_between_two_hours_are_all_of_the_day() {
+    let said = "5 times a day she goes to the bathroom between 06:45 and 19:00.";
+    let (days, nights) = by_day_and_night(&simulate(BASE, said, 60), "using_bathroom", 1..60);
+    assert!(days.iter().filter(|of| **of == 5).count() >= 56, "{days:?}");
+    assert!(nights.iter().sum::<usize>() > 40, "{nights:?}");
+    let lived = simulate(BASE, "7 to 8 times a day she has a drink between 07:00 and 20:00.", 60);
+    let (days, _) = by_day_and_night(&lived, "drinking", 1..60);
+    assert!(days.iter().filter(|of| (7..=8).contains(*of)).count() >= 54, "{days:?}");
+    let late = lived.of("drinking").filter(|one| hour(one.begin) > 20.25).count();
+    assert!(late <= 1, "{late}");
+    // A single time adds to the usual drinks.
+    assert!(simulate(BASE, "She has a drink at 16:00.", 60).of("drinking").count() > 120);
+}
+
+#[test]
+fn who_needs_help_in_the_shower_takes_no_other() {
+    let showers = |said: &str| {
+        let lived = simulate(BASE, said, 56);
+        let days: Vec<i64> = lived.firsts("showering").into_iter().map(day).collect();
+        days
+    };
+    let helped = showers("On Saturday her daughter helps her take a shower at 10:00 for 40 minutes.");
+    assert!(helped.len() >= 7 && helped.iter().all(|day| day % 7 == 5), "{helped:?}");
+    assert!(showers("").len() > 20);
+}
+
+#[test]
+fn a_later_outing_comes_on_top_of_the_usual_ones() {
+    let outings = |said: &str| {
+        let lived = simulate(BASE, said, 120);
+        let days: Vec<i64> = lived.firsts("away").into_iter().map(day).collect();
+        [0..60, 60..120].map(|days_of| days.iter().filter(|day| days_of.contains(*day)).count() as f64)
+    };
+    let [before, after] = outings("From day 61 on Wednesday she goes to the post office at 10:30 for 45 minutes.");
+    assert!(before > 30.0 && after > 0.75 * before, "{before}, then {after}");
+    // A frequency replaces them.
+    let [before, after] = outings("From day 61 she goes out once a week.");
+    assert!(before > 30.0 && after < 10.0, "{before}, then {after}");
+}
+
+#[test]
+fn a_meal_is_skipped_as_many_times_a_week_as_stated() {
+    let lived = simulate(BASE, "Twice a week she skips lunch.", 70);
+    let eaten: Vec<i64> = lived.firsts("eating_lunch").into_iter().map(day).collect();
+    let weeks: Vec<usize> = (0..10).map(|week| 7 - eaten.iter().filter(|day| **day / 7 == week).count()).collect();
+    assert!(weeks.iter().filter(|skipped| **skipped == 2).count() >= 9, "{weeks:?}");
 }

@@ -33,6 +33,8 @@ pub struct Agenda {
     /// Visits to the bathroom after rising and before bed.
     pub bathroom_first: bool,
     pub bathroom_last: bool,
+    /// Whether the routine gives the times of the visits of the coming night.
+    pub says_visits_of_night: bool,
     /// Activities in a row, by start.
     pub items: Vec<Item>,
     /// Interrupting activities, by start, including those of the night.
@@ -106,10 +108,23 @@ impl Agenda {
         let late = items.extract_if(.., |item| is_of_the_night(item));
         breaks.extend(late.map(|item| Item { latest: item.start + HOUR, ..item }));
         breaks.sort_by_key(|item| item.start);
-        let visits = bathroom.unwrap_or(2);
+        let [bathroom_first, bathroom_last] = bathroom.unwrap_or([true; 2]);
+        let says_visits_of_night = life.says_visits_in(Interval::new(bed, next_up), day);
         let sleeps_at = sleeps_at(life, day).map(str::to_owned);
-        let (bathroom_first, bathroom_last) = (visits > 0, visits > 1);
-        Agenda { day, up, bed, bed_follows, sleeps_at, next_up, bathroom_first, bathroom_last, items, breaks, mornings }
+        Agenda {
+            day,
+            up,
+            bed,
+            bed_follows,
+            sleeps_at,
+            next_up,
+            bathroom_first,
+            bathroom_last,
+            says_visits_of_night,
+            items,
+            breaks,
+            mornings,
+        }
     }
 }
 
@@ -144,8 +159,8 @@ struct Planner<'a> {
     next_up: RunTime,
     drafts: Drafts<'a>,
     breaks: Vec<Item>,
-    /// Stated number of bathroom visits by day.
-    bathroom: Option<u32>,
+    /// Whether a stated number of bathroom visits by day includes the one after rising and the one before bed.
+    bathroom: Option<[bool; 2]>,
 }
 
 #[derive(Clone, Copy)]
@@ -193,10 +208,7 @@ impl Planner<'_> {
                 && source == ResidentRoutine::OWN
                 && life.is_meant(habit, self.day)
             {
-                // The visits after rising and before bed count, too.
-                let said = self.bathroom.unwrap_or(0) + count;
-                count = count.min(said.saturating_sub(2));
-                self.bathroom = Some(said);
+                count = self.count_without_both_ends(habit, count);
             }
             if habit.when.time == HabitTime::Then && before.1.is_none() {
                 continue;
@@ -235,13 +247,28 @@ impl Planner<'_> {
         let breaks = self.breaks.iter().filter(|item| is_one(item) && span.contains(item.start)).count();
         let mut count = self.count(in_force, self.day).saturating_sub((drafts + breaks) as u32);
         if habit.is_how_often(&Activity::UseBathroom, false) {
-            // With the visits after rising and before bed.
-            self.bathroom = Some(count);
-            count = count.saturating_sub(2);
+            count = self.count_without_both_ends(habit, count);
         }
         for number in 0..count {
             self.add(in_force, Repetition { number, of: count, day: self.day }, None);
         }
+    }
+
+    /// The number of bathroom visits besides those after rising and before bed, which count, too, if the sentence covers them.
+    fn count_without_both_ends(&mut self, habit: &Habit, mut count: u32) -> u32 {
+        let at = |time_s: f64| self.life.instant(self.day, time_s);
+        let covers = |end: RunTime| match &habit.when.time {
+            HabitTime::At(time) => (at(time.low)..=at(time.high)).contains(&end),
+            _ => true,
+        };
+        let are_covered = [covers(self.up), covers(self.bed)];
+        for (is_counted, is_covered) in self.bathroom.get_or_insert_default().iter_mut().zip(are_covered) {
+            if !*is_counted && is_covered && count > 0 {
+                *is_counted = true;
+                count -= 1;
+            }
+        }
+        count
     }
 
     /// Distributes a change of the time out over the day's outings.
@@ -310,7 +337,7 @@ impl Planner<'_> {
         let (chance, more) = match habit.when.chance.days_a_week {
             Some(days) => {
                 let days = f64::from(days) * oftener;
-                let (rank, of) = self.place_in_week(habit, &key, day);
+                let (rank, of) = self.life.place_in_week(&habit.when.days, &key, day);
                 let chance = (chance / habit.when.chance.probability).min(1.0);
                 (chance * (days - rank).clamp(0.0, 1.0), (days / of).max(1.0))
             }
@@ -325,15 +352,6 @@ impl Planner<'_> {
         let times = drawn * more;
         let whole = libm::floor(times);
         (whole as u32 + u32::from(share("once more") < times - whole)).min(200)
-    }
-
-    /// The place of a day among the days of its week that the habit may be on, in drawn order, and the number of these days.
-    fn place_in_week(&self, habit: &Habit, key: &str, today: i32) -> (f64, f64) {
-        let meant: Vec<i32> = self.life.week_of(today).filter(|&day| self.life.is_on(&habit.when.days, day)).collect();
-        let share = |day: i32| self.life.stream_of_day(day, &format!("{key}/of the week")).unit();
-        let own = share(today);
-        let before = meant.iter().filter(|&&day| day != today && share(day) < own).count();
-        (before as f64, meant.len() as f64)
     }
 
     /// In seconds, with random numbers from `key`.
@@ -373,6 +391,12 @@ impl Planner<'_> {
         let (mut patience, mut open) = (2.5 * HOUR_S, None);
         let when = self.when_of(habit, &key, time.day);
         let (start, known) = match &when {
+            HabitTime::At(span) if habit.when.times.1 > 1 && !PartOfDay::Night.contains(span.mean()) => {
+                let while_up = Interval::new(self.up + 45 * MINUTE, self.bed);
+                let span = Interval::new(at(span.low), at(span.high)).intersection(while_up);
+                open = Some(span);
+                (within(span.begin, span.end), ItemStart::Known)
+            }
             HabitTime::At(time) => {
                 patience = 4.0 * HOUR_S;
                 (at(varied(time, share, parameters.irregular)), ItemStart::Known)
@@ -444,7 +468,10 @@ impl Planner<'_> {
             has_key: habit.key,
             does: habit.does.clone(),
             open,
-            is_counted: matches!(when, HabitTime::AnyTime) && (time.of > 1 || habit.activity == Activity::UseBathroom),
+            is_counted: match when {
+                HabitTime::AnyTime => time.of > 1 || habit.activity == Activity::UseBathroom,
+                _ => open.is_some() && matches!(when, HabitTime::At(_)),
+            },
             ..Item::now(key, activity, lasts)
         };
         let in_the_night = start >= self.bed;
@@ -546,9 +573,14 @@ impl Planner<'_> {
                 None => (RunTime::START, ItemStart::Before(Activity::GoToBed, 20 * MINUTE)),
             };
         }
-        let (from, to) = (self.up + 45 * MINUTE, self.bed - HOUR - lasts);
-        let place = f64::from(time.number) / f64::from(time.of - 1) + (own - 0.5) * 0.3 / f64::from(time.of);
-        (from + (to - from).max(Span::ZERO).share(place.clamp(0.0, 1.0)), ItemStart::Known)
+        let (number, of) = (f64::from(time.number), f64::from(time.of));
+        let varied = (own - 0.5) * 0.3 / of;
+        let (from, to, place) = match activity {
+            // Between the visits after rising and before bed.
+            Activity::UseBathroom => (self.up, self.bed, (number + 1.0) / (of + 1.0)),
+            _ => (self.up + 45 * MINUTE, self.bed - HOUR - lasts, number / (of - 1.0)),
+        };
+        (from + (to - from).max(Span::ZERO).share((place + varied).clamp(0.0, 1.0)), ItemStart::Known)
     }
 }
 

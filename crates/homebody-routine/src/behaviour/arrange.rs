@@ -31,14 +31,17 @@ pub(super) fn count_at_home(breaks: &mut [Item], items: &[Item], up: RunTime, be
         let over = away.last().map_or(up, |before| before.end);
         away.extend(Some(outing.intersection(Interval::new(over, bed))).filter(|outing| !outing.is_empty()));
     }
-    let at_home = bed - up - away.iter().map(|outing| outing.length()).sum::<Span>();
-    let share = at_home.ratio((bed - up).max(Span::MICROSECOND));
-    for item in breaks.iter_mut().filter(|item| item.is_counted && (up..bed).contains(&item.start)) {
-        let mut start = up + (item.start - up).share(share);
+    let awake = Interval::new(up, bed);
+    for item in breaks.iter_mut().filter(|item| item.is_counted && awake.contains(item.start)) {
+        let span = item.open.map_or(awake, |open| open.intersection(awake));
+        let away: Vec<_> = away.iter().map(|outing| outing.intersection(span)).filter(|one| !one.is_empty()).collect();
+        let at_home = span.length() - away.iter().map(|outing| outing.length()).sum::<Span>();
+        let share = at_home.ratio(span.length().max(Span::MICROSECOND));
+        let mut start = span.begin + (item.start - span.begin).share(share);
         for outing in &away {
             start += if start >= outing.begin { outing.length() } else { Span::ZERO };
         }
-        (item.start, item.latest) = (start, bed);
+        (item.start, item.latest) = (start, span.end);
     }
 }
 

@@ -1,5 +1,6 @@
 //! The needs of one resident: rates, and responses.
 
+use super::agenda::Agenda;
 use super::need::NeedLevel;
 use super::resident_routine::{DayParameters, ResidentRoutine};
 use super::traits::Constitution;
@@ -144,9 +145,9 @@ impl BodilyNeeds {
         self.tiredness.rise(now, self.rates.tiredness);
     }
 
-    pub fn sleeping(&mut self, now: RunTime, life: &ResidentRoutine, day: i32, parameters: &DayParameters) {
+    pub fn sleeping(&mut self, now: RunTime, life: &ResidentRoutine, agenda: &Agenda, parameters: &DayParameters) {
         self.asleep = true;
-        let is_planned = life.says_how_often(&Activity::UseBathroom, day, true);
+        let is_planned = agenda.says_visits_of_night || life.says_how_often(&Activity::UseBathroom, agenda.day, true);
         let visits = self.constitution.toilet_at_night + 0.33;
         let toilet =
             visits * 24.0 / self.rates.sleeping_h * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Night));

@@ -122,7 +122,7 @@ impl RoutineDriver {
     }
 
     pub(super) fn lie_down(&mut self, now: RunTime) {
-        self.needs.sleeping(now, &self.life, self.agenda.day, &self.parameters);
+        self.needs.sleeping(now, &self.life, &self.agenda, &self.parameters);
         self.put_out_the_lamp(now);
         self.watches.lie_down(now, &self.life);
         let mut stream = self.life.stream_of_day(self.agenda.day, "vitals");

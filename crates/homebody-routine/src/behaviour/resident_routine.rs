@@ -11,14 +11,14 @@ use super::parameters::{
 use super::traits::{Constitution, MemberDifference};
 use crate::language::LAST_WEEK;
 use crate::routine::{
-    Activity, DayKind, DaySelection, Effect, Habit, HabitChance, Meal, Phase, PhaseDay, Quote, Routine, RoutineChange,
-    RoutineRule, WalkRests,
+    Activity, DayKind, DaySelection, Effect, Habit, HabitChance, HabitTime, Meal, Phase, PhaseDay, Quote, Routine,
+    RoutineChange, RoutineRule, WalkRests,
 };
 use homebody_core::calendar::Calendar;
 use homebody_core::fuzzy::Quantifier;
 use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
-use homebody_core::time::{DAY, RunTime, Span};
+use homebody_core::time::{DAY, Interval, RunTime, Span};
 use homebody_walk::Gains;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -205,27 +205,40 @@ impl ResidentRoutine {
     /// Whether the routine states on this day what is otherwise usual.
     pub fn says(&self, usual: &Habit, day: i32) -> bool {
         let own = &self.sources[ResidentRoutine::OWN].routine.habits;
-        own.iter().any(|said| {
-            said.stands_for(usual)
-                && self.phase(&said.when.phase, day) > 0.0
-                && (!said.is_of_every_day() || self.is_on(&said.when.days, day))
-        }) || self.has_ended(&usual.activity, day)
+        let is_from_start = |said: &Habit| said.when.phase.from.is_none();
+        let of_usual = || own.iter().filter(|said| said.stands_for(usual));
+        // A club that begins in the course of a run comes on top of the usual outings, on other days.
+        let is_added = |said: &Habit| {
+            usual.activity.is_of_choice() && said.when.time != HabitTime::AnyTime && !of_usual().any(is_from_start)
+        };
+        let replaces = |said: &Habit| {
+            self.phase(&said.when.phase, day) > 0.0
+                && (!usual.activity.is_of_every_day() && !is_added(said) || self.is_on(&said.when.days, day))
+        };
+        of_usual().any(replaces) || self.has_ended(&usual.activity, day)
     }
 
     /// Whether a sentence said an activity of choice from the first day on until a day that is past: nothing replaces it.
-    /// Meals, washing and housework, which all people do, come back as usual.
+    /// Meals, washing and housework come back as usual.
     pub fn has_ended(&self, activity: &Activity, day: i32) -> bool {
         let own = &self.sources[ResidentRoutine::OWN].routine.habits;
         let is_past = |phase: &Phase| {
             let until = phase.until.map(|until| self.day_of(until));
             phase.from.is_none() && until.is_some_and(|until| until <= day) && self.phase(phase, day) == 0.0
         };
-        let is_of_choice = |habit: &Habit| {
-            !habit.is_of_every_day() && !matches!(activity, Activity::Shower | Activity::WashUp | Activity::Laundry)
+        let of_it = own.iter().filter(|habit| habit.activity == *activity && habit.visitor.is_none());
+        activity.is_of_choice() && { of_it }.any(|habit| is_past(&habit.when.phase))
+    }
+
+    /// Whether the routine gives a time of visits to the bathroom in a night that begins on a day: it has no others.
+    pub fn says_visits_in(&self, night: Interval<RunTime>, day: i32) -> bool {
+        let own = &self.sources[ResidentRoutine::OWN].routine.habits;
+        let is_visit = |habit: &&Habit| habit.activity == Activity::UseBathroom && habit.visitor.is_none();
+        let is_in_it = |habit: &Habit, day: i32| match &habit.when.time {
+            HabitTime::At(time) => self.is_meant(habit, day) && night.contains(self.instant(day, time.mean())),
+            _ => false,
         };
-        own.iter().any(|habit| {
-            habit.activity == *activity && habit.visitor.is_none() && is_of_choice(habit) && is_past(&habit.when.phase)
-        })
+        own.iter().filter(is_visit).any(|habit| is_in_it(habit, day) || is_in_it(habit, day + 1))
     }
 
     /// Whether a habit applies to a day, drawn or not.
@@ -465,6 +478,15 @@ impl ResidentRoutine {
         monday..monday + 7
     }
 
+    /// The place of a day among the days of its week that a sentence may be on, in drawn order, and the number of these days.
+    pub fn place_in_week(&self, days: &DaySelection, key: &str, today: i32) -> (f64, f64) {
+        let meant: Vec<i32> = self.week_of(today).filter(|&day| self.is_on(days, day)).collect();
+        let share = |day: i32| self.stream_of_day(day, &format!("{key}/of the week")).unit();
+        let own = share(today);
+        let before = meant.iter().filter(|&&day| day != today && share(day) < own).count();
+        (before as f64, meant.len() as f64)
+    }
+
     /// Without a sentence about them, some days are of each kind.
     fn is_of_kind(&self, kind: DayKind, day: i32) -> bool {
         let is_said = |(change, strength): (&RoutineChange, f64)| {
@@ -509,7 +531,12 @@ impl ResidentRoutine {
                     let shown = shown.filter(|&from| from <= day).max();
                     let from = change.when.phase.from.map(|from| self.day_of(from)).or(shown).unwrap_or(0);
                     let weeks = (f64::from(day - from) / 7.0).clamp(0.0, most_weeks);
-                    let chance = self.chance_by(&change.when.chance, &change.when.phase, day);
+                    let chance = match change.when.chance.days_a_week.filter(|_| change.effect.is_of_a_day()) {
+                        Some(days) => {
+                            (f64::from(days) - self.place_in_week(&change.when.days, key, day).0).clamp(0.0, 1.0)
+                        }
+                        None => self.chance_by(&change.when.chance, &change.when.phase, day),
+                    };
                     let course = ChangeCourse { weeks, chance, pace_mps: self.pace_mps, least_pace };
                     parameters.change(change, full, share, course);
                 }

@@ -133,6 +133,17 @@ impl Activity {
         self.row().and_then(|row| row.usual).unwrap_or(OWN)
     }
 
+    /// Whether all people do it daily: a sentence about Sundays then leaves the usual habit on other days.
+    pub(crate) fn is_of_every_day(&self) -> bool {
+        use Activity::{Dress, Eat, GetUp, GoToBed, Prepare, Wash};
+        matches!(self, GetUp | GoToBed | Dress | Wash | Prepare(_) | Eat(_))
+    }
+
+    /// As opposed to meals, washing and housework, which all people do.
+    pub(crate) fn is_of_choice(&self) -> bool {
+        !self.is_of_every_day() && !matches!(self, Activity::Shower | Activity::WashUp | Activity::Laundry)
+    }
+
     /// The meal of a preparation, and the preparation of a meal.
     pub(crate) fn of_same_meal(&self) -> Option<Activity> {
         match self {
