@@ -387,3 +387,25 @@ fn a_probability_is_that_of_each_day_that_matches() {
     assert!(on.iter().all(|day| day % 7 == 6), "{on:?}");
     assert!((7..=17).contains(&on.len()), "{} of 52 Sundays, expected 12", on.len());
 }
+
+#[test]
+fn a_day_in_bed_is_left_for_needs_and_visitors_alone() {
+    let carer = "A carer visits every day at 11:00 for 30 minutes.\n";
+    let lived = live(&format!("{carer}From day 11, for 5 days, she stays in bed.\n"), 25);
+    let hours = |day: i64, name: &str| {
+        let of_day = lived.of(name).filter(|one| self::day(one.begin) == day);
+        of_day.map(|one| one.length().ratio(HOUR)).sum::<f64>()
+    };
+    for day in 10..15 {
+        let in_bed = hours(day, "resting_in_bed") + hours(day, "napping");
+        assert!(in_bed > 13.0, "{in_bed} on {day}");
+        assert!(hours(day, "using_bathroom") > 0.0 && hours(day, "visit") > 0.4);
+        assert_eq!(hours(day, "eating_lunch") + hours(day, "dressing") + hours(day, "away"), 0.0);
+    }
+    for day in [8, 9, 15, 16] {
+        assert!(hours(day, "resting_in_bed") == 0.0 && hours(day, "eating_lunch") > 0.1, "{day}");
+    }
+    let some = live("Twice a week she stays in bed all day.\n", 56);
+    let days: std::collections::BTreeSet<i64> = some.of("resting_in_bed").map(|one| self::day(one.begin)).collect();
+    assert_eq!(days.len(), 16);
+}

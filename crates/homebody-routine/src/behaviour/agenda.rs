@@ -33,6 +33,8 @@ pub struct Agenda {
     /// Visits to the bathroom after rising and before bed.
     pub bathroom_first: bool,
     pub bathroom_last: bool,
+    /// A day in bed, which the resident leaves for needs, medicine and visitors.
+    pub in_bed: bool,
     /// Whether the routine gives the times of the visits of the coming night.
     pub says_visits_of_night: bool,
     /// Activities in a row, by start.
@@ -120,6 +122,7 @@ impl Agenda {
             next_up,
             bathroom_first,
             bathroom_last,
+            in_bed: parameters.stays_in_bed(life, day),
             says_visits_of_night,
             items,
             breaks,
@@ -176,7 +179,8 @@ impl Planner<'_> {
         // The source of the last habit, and its start if it is done today.
         let mut before: (usize, Option<ItemStart>) = (0, None);
         let mut totals = Vec::new();
-        for in_force in life.habits(self.day) {
+        let in_bed = self.parameters.stays_in_bed(life, self.day);
+        for in_force in life.habits(self.day).filter(|habit| !in_bed || habit.said.is_done_on_a_day_in_bed()) {
             let InForce { said: habit, source, .. } = in_force;
             if habit.when.is_total {
                 totals.push(in_force);
@@ -190,7 +194,7 @@ impl Planner<'_> {
                     let share = life.stream_of_day(self.day, &format!("{}/start", of_time(in_force.key, 0))).unit();
                     let later = Span::from_seconds(self.parameters.later_s(&Activity::GoToBed));
                     self.drafts.bedtime =
-                        relative(&habit.when.time, share, before.1.as_ref()).map(|start| (start, later));
+                        ItemStart::relative(&habit.when.time, share, before.1.as_ref()).map(|start| (start, later));
                 }
                 before.1 = Some(ItemStart::After(habit.activity.clone(), Span::ZERO));
                 continue;
@@ -423,7 +427,7 @@ impl Planner<'_> {
                     (self.any_time(habit, share), ItemStart::Known)
                 }
             },
-            relative_time => (RunTime::START, relative(relative_time, own, before)?),
+            relative_time => (RunTime::START, ItemStart::relative(relative_time, own, before)?),
         };
         let (start, known) = match known {
             ItemStart::At(start) => (start, ItemStart::Known),
@@ -582,16 +586,4 @@ impl Planner<'_> {
         };
         (from + (to - from).max(Span::ZERO).share((place + varied).clamp(0.0, 1.0)), ItemStart::Known)
     }
-}
-
-/// The start of a habit that refers to another activity, or to the habit before it.
-fn relative(when: &HabitTime, share: f64, before: Option<&ItemStart>) -> Option<ItemStart> {
-    let gap = |gap: &Option<Fuzzy>| Span::from_seconds(gap.map_or(0.0, |gap| gap.at(share)));
-    Some(match when {
-        HabitTime::After(activity, by) => ItemStart::After(activity.clone(), gap(by)),
-        HabitTime::Before(activity, by) => ItemStart::Before(activity.clone(), gap(by)),
-        HabitTime::With(activity) => ItemStart::With(activity.clone()),
-        HabitTime::Then => before?.clone(),
-        HabitTime::AnyTime | HabitTime::At(_) | HabitTime::Within(_) => return None,
-    })
 }

@@ -3,7 +3,8 @@
 use super::defaults;
 use super::item::{Following, Follows, Item};
 use super::resident_routine::ResidentRoutine;
-use crate::routine::{Activity, Meal};
+use crate::routine::{Activity, HabitTime, Meal};
+use homebody_core::fuzzy::Fuzzy;
 use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, Span};
 
 const MINUTE_S: f64 = 60.0;
@@ -28,6 +29,20 @@ pub enum ItemStart {
     With(Activity),
     /// At the end of the draft with this index.
     Then(usize),
+}
+
+impl ItemStart {
+    /// The start of a habit that refers to another activity, or to the habit before it.
+    pub(super) fn relative(when: &HabitTime, share: f64, before: Option<&ItemStart>) -> Option<ItemStart> {
+        let gap = |gap: &Option<Fuzzy>| Span::from_seconds(gap.map_or(0.0, |gap| gap.at(share)));
+        Some(match when {
+            HabitTime::After(activity, by) => Self::After(activity.clone(), gap(by)),
+            HabitTime::Before(activity, by) => Self::Before(activity.clone(), gap(by)),
+            HabitTime::With(activity) => Self::With(activity.clone()),
+            HabitTime::Then => before?.clone(),
+            HabitTime::AnyTime | HabitTime::At(_) | HabitTime::Within(_) => return None,
+        })
+    }
 }
 
 pub struct Drafts<'a> {

@@ -1,7 +1,7 @@
 //! An activity of a plan: what, where, when, how long.
 
 use super::resident_routine::SentenceId;
-use crate::routine::{Activity, Falling};
+use crate::routine::{Activity, Falling, Habit};
 use homebody_core::time::{Interval, MINUTE, RunTime, Span};
 
 #[derive(Clone, Debug, PartialEq)]
@@ -151,5 +151,13 @@ impl Activity {
             Activity::Fall | Activity::Stumble => true,
             _ => at_night,
         }
+    }
+}
+
+impl Habit {
+    pub(super) fn is_done_on_a_day_in_bed(&self) -> bool {
+        use Activity::{GetUp, GoToBed, Leave, TakeMedicine};
+        let is_needed = matches!(self.activity, GetUp | GoToBed | TakeMedicine) || self.activity.is_of_the_night();
+        self.visitor.is_some() || is_needed && self.activity != Leave
     }
 }

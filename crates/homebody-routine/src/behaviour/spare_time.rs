@@ -1,11 +1,13 @@
 //! Activities in spare time.
 
+use super::defaults;
 use super::driver::RoutineDriver;
 use super::item::Item;
 use super::manner::Manner;
 use super::resident_routine::InForce;
 use super::script::{ActivityStep, Interruptible, StayStep};
 use crate::routine::{Activity, HabitTime, PartOfDay};
+use homebody_core::activity::{RESTING_IN_BED, UsualLength};
 use homebody_core::numbers::{Number, Numbers};
 use homebody_core::posture::Posture;
 use homebody_core::random::Stream;
@@ -23,6 +25,9 @@ const FILLERS: [(Activity, f64, f64); 6] = [
     (Activity::Phone, 0.1, 12.0),
     (Activity::UseComputer, 0.095, 14.0),
 ];
+
+/// What fills the spare time of a day in bed.
+const IN_BED: Activity = Activity::Everyday(RESTING_IN_BED);
 
 const TABLE: &str = "filler";
 
@@ -146,6 +151,10 @@ impl RoutineDriver {
     /// An activity for now, its median length in minutes, and its usual share of spare time. A less frequent activity is drawn as often, and then
     /// replaced.
     fn filler(&mut self, now: RunTime, errands: f64, stream: &mut Stream) -> (Activity, f64, f64) {
+        if self.agenda.in_bed {
+            let UsualLength { median_min, .. } = defaults::length(&IN_BED, &self.life.numbers);
+            return (IN_BED, median_min, 0.0);
+        }
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
         let (rising, again) = (self.life.numbers.of(&RISES), self.life.numbers.of(&AGAIN));
         for (activity, weight, minutes) in self::fillers(&self.life.numbers) {

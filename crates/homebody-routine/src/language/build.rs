@@ -154,6 +154,11 @@ impl Builder<'_> {
             .filter(|_| clause.parts.when.is_none() && clause.parts.lasts.is_none() && part_fits);
         let Some(until) = until else {
             let span = clause.verb_span;
+            if self.said(span).ends_with("in bed") && !clause.parts.says_time() {
+                // All day.
+                let verb = Verb::Not(productions::act_of(activity, span));
+                return changes::change(self, &Clause { verb, ..clause });
+            }
             return self.fault(span, SentenceMessage::Unfinished);
         };
         clause.parts.when = Some(Slot { value: vec![until.value], span: until.span, own: true });

@@ -100,6 +100,12 @@ fn effect(builder: &mut Builder, clause: &Clause) -> Option<(Effect, &'static [S
         (Verb::Shows(condition, severity), None) => {
             (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE_ALONE)
         }
+        (Verb::Not(act) | Verb::Skips(act), None) if act.activity == Activity::GoToBed => {
+            let text = builder.said(clause.verb_span);
+            let reason = "write when she goes to bed instead, such as \"on day 5 she goes to bed at 05:00\"".to_owned();
+            builder.fault(clause.verb_span, SentenceMessage::DoesNotFit { text, reason });
+            return None;
+        }
         (Verb::Not(act), None) => match chance(clause) {
             Some(_) => (Effect::Skips { activity: act.activity.clone() }, PHASE_AND_CHANCE),
             None => {

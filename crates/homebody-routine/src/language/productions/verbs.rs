@@ -72,8 +72,9 @@ pub fn named(name: &str) -> Option<Production> {
             Some(PhraseValue::Verb(Verb::Does(act_of(activity, a.span))))
         },
         "eats" => |_| Some(PhraseValue::Verb(Verb::Eats)),
-        "not_out" => |a| {
-            let act = act_of(Activity::Leave, TextSpan { end: a.span.start, ..a.span });
+        "not_of" => |a| {
+            let activity = if a.has("GetUp") { Activity::GetUp } else { Activity::Leave };
+            let act = act_of(activity, TextSpan { end: a.span.start, ..a.span });
             Some(PhraseValue::Verb(Verb::Not(act)))
         },
         "not" => |a| Some(PhraseValue::Verb(Verb::Not(a.act()?))),
