@@ -14,7 +14,7 @@ use homebody_routine::language::{condition, routine};
 use std::time::{Duration, Instant};
 
 /// Split over several tests, which run in parallel.
-const MUTANTS: u32 = 4_000;
+const MUTANTS: u32 = 1_500;
 const PARTS: u32 = 2;
 
 /// Far more than needed, for busy machines.

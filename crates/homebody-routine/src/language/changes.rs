@@ -225,7 +225,8 @@ fn not_a_change(builder: &mut Builder, clause: &Clause) {
         }
         Verb::Is => IS,
         Verb::Sleeps => {
-            "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\", \"gets up at 09:00\" or \"naps\""
+            "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\", \"gets up at 09:00\", \
+            \"goes to bed for 9 hours\" or \"naps\""
         }
         Verb::Vary => "write \"her hours vary twice as much\"",
         Verb::Differ => "write \"her days differ twice as much\"",
