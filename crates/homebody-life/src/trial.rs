@@ -154,7 +154,10 @@ impl TriedStatements {
             return Err(SimulationError::Cancelled);
         }
         let of_statement = |of: Difference| Some((*kept.get(of.line.checked_sub(1)? as usize)?, of));
-        Ok(run.differences().into_iter().filter_map(of_statement).collect())
+        // Without effect are the sentences without effect on a run of all days.
+        let of_trial = run.differences().into_iter().filter(|of| !of.told);
+        let without_effect = opened.household().predicted_differences(opened.scenario().file.days as i32);
+        Ok(without_effect.into_iter().chain(of_trial).filter_map(of_statement).collect())
     }
 }
 

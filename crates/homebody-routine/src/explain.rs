@@ -1,6 +1,5 @@
 //! The meaning of a routine, sentence by sentence, in numbers and in words.
 
-use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::language::canonical::{MONTHS, WEEKDAYS};
 use crate::routine::{
@@ -12,6 +11,7 @@ use homebody_core::fuzzy::Fuzzy;
 use serde::Serialize;
 use words::{clock, join, number, numbers, span_words};
 
+mod dates;
 mod rules;
 pub(crate) mod words;
 
@@ -48,6 +48,9 @@ pub struct ExplanationRow {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lasts: Option<Spread>,
     pub phase: String,
+    /// In a run: its first day if days are counted, its last day, or that it has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dates: Option<String>,
     /// The canonical sentence.
     pub in_words: String,
     pub statement: Statement,
@@ -98,6 +101,7 @@ fn explain_statement((said, statement): &(Quote, Statement)) -> ExplanationRow {
         waits: None,
         lasts: None,
         phase: String::new(),
+        dates: None,
         in_words: in_the_same_voice(&said.text, statement.sentences().join(" ")),
         statement: statement.clone(),
     };
@@ -166,6 +170,7 @@ impl Explanation {
         }
         for row in &self.sentences {
             text += &format!("\n{}:{}: {}\n  {}\n", self.file, row.line, row.said, row.in_words);
+            text += &row.dates.as_ref().map_or_else(String::new, |dates| format!("  In this run: {dates}.\n"));
         }
         if !self.layers.is_empty() {
             text += &format!("\n{}", self.layers);
@@ -193,6 +198,7 @@ fn habit_cells(row: &mut ExplanationRow, habit: &Habit) {
     };
     row.kind = ExplanationKind::Habit;
     row.what = habit.visitor.as_ref().map_or(doing.clone(), |visitor| format!("{visitor} {doing}"));
+    row.what += if habit.eats_out { ", with a meal" } else { "" };
     row.what += &habit.thing_on.as_ref().map(|thing| format!(", with the {thing} on")).unwrap_or_default();
     row.place.clone_from(&habit.place);
     row.days = short_days(&habit.when.days, &habit.when.chance);
@@ -319,6 +325,7 @@ fn which_days(days: &DaySelection) -> String {
     };
     let mut words = match named(days.weekdays.into(), &WEEKDAYS) {
         Some(weekdays) if days.every <= 1 => format!("on each {weekdays}"),
+        Some(weekday) if days.weekdays.is_power_of_two() => format!("every {} weeks on {weekday}", days.every),
         Some(weekdays) => format!("{every}, if it is {weekdays},"),
         None => every,
     };
@@ -326,7 +333,7 @@ fn which_days(days: &DaySelection) -> String {
         words += &format!(" in {months}");
     }
     match days.of_month {
-        LAST_WEEK => words += ", in the last 7 days of the month,",
+        DaySelection::LAST_WEEK => words += ", in the last 7 days of the month,",
         (first, last) if days.of_month != DaySelection::ALL.of_month => {
             words += &format!(", from day {first} to {last} of the month,")
         }
@@ -359,9 +366,10 @@ impl DayKind {
 fn short_days(days: &DaySelection, chance: &HabitChance) -> String {
     let short =
         |names: String| names.split(", ").map(|name| name.get(..3).unwrap_or(name)).collect::<Vec<_>>().join(" ");
-    let every = if days.every > 1 { format!("every {} days", days.every) } else { String::new() };
+    let unit = if days.weekdays.is_power_of_two() { "weeks" } else { "days" };
+    let every = if days.every > 1 { format!("every {} {unit}", days.every) } else { String::new() };
     let of_month = match days.of_month {
-        LAST_WEEK => "last week".to_owned(),
+        DaySelection::LAST_WEEK => "last week".to_owned(),
         days if days == DaySelection::ALL.of_month => String::new(),
         (first, last) => format!("{first}.-{last}."),
     };

@@ -42,7 +42,6 @@ mod words;
 
 use crate::routine::{Quote, Routine, RoutinePerson};
 use builder::{Built, Context, PersonFact};
-pub use calendar::LAST_WEEK;
 use draft::{RoutineDraft, quote};
 use faults::Faults;
 use homebody_core::problem::Problem;

@@ -96,6 +96,9 @@ pub struct Habit {
     pub place: Option<String>,
     #[serde(default)]
     pub when: When,
+    /// Of an outing: whether it is to a place where people eat, such as a lunch club. It replaces a meal at its time.
+    #[serde(default, skip_serializing_if = "is_usual")]
+    pub eats_out: bool,
     /// A thing that is on meanwhile, such as the television.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub thing_on: Option<String>,

@@ -3,6 +3,7 @@
 #[allow(clippy::disallowed_methods, reason = "a test may read and write files; the crate may not")]
 #[path = "../../../tests/generated.rs"]
 mod generated;
+mod agreement;
 mod canonical;
 mod carers;
 mod days;

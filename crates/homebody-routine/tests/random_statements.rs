@@ -133,6 +133,7 @@ impl Draw {
             activity: if is_visit { Activity::Visit } else { self.one(activities) },
             place: None,
             when: self.when(),
+            eats_out: false,
             thing_on: (!is_visit && self.is_rare(4)).then(|| self.one(&["television", "lamp"]).to_owned()),
             key: is_visit && self.is_rare(4),
             does: Vec::new(),

@@ -41,7 +41,7 @@ homebody_core::messages! {
         /// The run is too short for this sentence, or begins too late for it.
         WithoutEffect { sentence: String, effect: String } warning "partial-effect"
             ("the effect of {sentence:?} in this run: {effect}")
-            hint ("write an earlier beginning, or simulate a longer run");
+            hint ("write an earlier beginning or days that the run has, or simulate a longer run");
         /// In the simulated days, this sentence did not happen as it says: it had no time in the days, no way to its place, or less time
         /// than it says.
         NotAsSaid { sentence: String, expected: String, simulated: String, days: String } warning "not-as-said"
@@ -54,7 +54,7 @@ homebody_core::messages! {
         /// The run is too short for a sentence of this member, or begins too late for it.
         MemberWithoutEffect { member: String, sentence: String, effect: String } warning "partial-effect-of-member"
             ("{member}: the effect of {sentence:?} in this run: {effect}")
-            hint ("write an earlier beginning, or simulate a longer run");
+            hint ("write an earlier beginning or days that the run has, or simulate a longer run");
         /// The field of view of this sensor of movement covers no floor with room to stand, for example because it points at a wall. It never
         /// fires.
         Blind { sensor: String } warning "blind-sensor"

@@ -26,7 +26,7 @@ pub enum DrawnDays {
     /// Bit 0 is Monday.
     Weekdays(u8),
     Every(i32),
-    /// Every second such day of the week.
+    /// Every second such day of the week, by weeks of the run.
     EveryOther(u8),
     Month(u8),
     /// The first, counted from 1, or the last such day of the week in a month.
@@ -106,15 +106,15 @@ impl DrawnDays {
         }
     }
 
-    /// Whether a day is meant. Which of the days of the week "every other" begins with is left open: `odd`.
-    pub fn holds(&self, calendar: &Calendar, day: i32, odd: bool) -> bool {
+    /// Whether a day is meant. Every other such day of the week is in the first week, which begins on a Monday, and every second after.
+    pub fn holds(&self, calendar: &Calendar, day: i32) -> bool {
         let (_, month, day_of_month) = calendar.date(day);
         let weekday = calendar.weekday(day);
         match *self {
             DrawnDays::All => true,
             DrawnDays::Weekdays(days) => days >> weekday & 1 == 1,
             DrawnDays::Every(days) => day % days == 0,
-            DrawnDays::EveryOther(wanted) => weekday == wanted && (day / 7 % 2 == 1) == odd,
+            DrawnDays::EveryOther(wanted) => weekday == wanted && (day + i32::from(calendar.weekday(0))) / 7 % 2 == 0,
             DrawnDays::Month(wanted) => month == wanted,
             DrawnDays::OfMonth(wanted, which) => {
                 let is_it = match which {
@@ -256,8 +256,8 @@ impl DrawnWhen {
         DrawnWhen { days: of, chance, phase }
     }
 
-    pub fn chance(&self, calendar: &Calendar, day: i32, odd: bool) -> f64 {
-        match self.days.holds(calendar, day, odd) {
+    pub fn chance(&self, calendar: &Calendar, day: i32) -> f64 {
+        match self.days.holds(calendar, day) {
             true => self.chance.on(self.phase.from.unwrap_or(0), day) * self.phase.strength(day),
             false => 0.0,
         }

@@ -1,7 +1,7 @@
 //! The measures of habits: each field of a statement has its own.
 
 use super::bounds::{self, count_bounds, mean, mean_error};
-use super::days::{DrawnChance, DrawnDays};
+use super::days::DrawnChance;
 use super::deeds::{ANCHORS, Background};
 use super::field::{EARLY_MIN, FieldResult, GRACE_MIN, LifeView, containing, minutes};
 use super::habit::{DrawnHabit, DrawnPlace, DrawnTime};
@@ -53,18 +53,7 @@ impl DrawnHabit {
             }
             None => view.deeds(&self.deed),
         };
-        // Which of two weeks "every other" begins with is left open.
-        let is_open = matches!(self.when.days, DrawnDays::EveryOther(_));
-        let of = |odd: bool| self.fields(view, &all, odd);
-        let fields = of(false);
-        match is_open && fields.iter().any(|field| !field.holds) {
-            true => {
-                let other = of(true);
-                let wrong = |fields: &[FieldResult]| fields.iter().filter(|field| !field.holds).count();
-                if wrong(&other) < wrong(&fields) { other } else { fields }
-            }
-            false => fields,
-        }
+        self.fields(view, &all)
     }
 
     /// Compares the numbers of the parsed statement with the drawn ones.
@@ -104,8 +93,8 @@ impl DrawnHabit {
         }
     }
 
-    fn fields(&self, view: &LifeView, all: &[Occurrence], odd: bool) -> Vec<FieldResult> {
-        let occasions = self.occasions(view, all, odd);
+    fn fields(&self, view: &LifeView, all: &[Occurrence]) -> Vec<FieldResult> {
+        let occasions = self.occasions(view, all);
         let mut fields = Vec::new();
         if self.time == DrawnTime::Within(PartOfDay::Night) && self.deed.label == USING_BATHROOM && self.times.is_none()
         {
@@ -140,7 +129,7 @@ impl DrawnHabit {
         fields
     }
 
-    fn occasions(&self, view: &LifeView, all: &[Occurrence], odd: bool) -> Vec<Occasion> {
+    fn occasions(&self, view: &LifeView, all: &[Occurrence]) -> Vec<Occasion> {
         let anchors = match self.time {
             DrawnTime::After(anchor, _) | DrawnTime::Before(anchor, _) | DrawnTime::With(anchor) => {
                 view.labelled(ANCHORS[anchor].1)
@@ -161,7 +150,7 @@ impl DrawnHabit {
         let last = view.days - 1;
         let mut occasions = Vec::new();
         for day in 0..last {
-            let mut chance = self.when.chance(view.calendar, day, odd);
+            let mut chance = self.when.chance(view.calendar, day);
             let (mut begin, mut anchor) = (None, None);
             match &self.time {
                 DrawnTime::At { at, .. } => begin = Some((view.at(day, at.low), view.at(day, at.high))),

@@ -12,8 +12,8 @@ use super::defaults;
 use super::drafts::{Drafts, ItemDraft, ItemStart, Resolved};
 use super::help;
 use super::item::{Follows, Item};
-use super::resident_routine::{DayParameters, InForce, ResidentRoutine};
-use super::rising::{bed, is_bedtime, of_time, sleeps_at, up, varied, varied_length, within_the_day};
+use super::resident_routine::{DayParameters, InForce, ResidentRoutine, SentenceId};
+use super::rising::{bed, bed_stated_by, is_bedtime, of_time, sleeps_at, up, varied, varied_length, within_the_day};
 use crate::routine::{Activity, FallsFrom, Habit, HabitTime, Meal, PartOfDay, USUAL_SHARE};
 use homebody_core::activity::UsualLength;
 use homebody_core::fuzzy::Fuzzy;
@@ -24,6 +24,9 @@ pub struct Agenda {
     pub day: i32,
     pub up: RunTime,
     pub bed: RunTime,
+    /// The sentence that states the time of the bedtime, and the latest time that it states.
+    pub bed_of: Option<SentenceId>,
+    pub bed_by: RunTime,
     /// The activity of today that the bedtime waits for.
     pub bed_follows: Option<Follows>,
     /// The name of the place of the coming night's sleep, if stated.
@@ -113,10 +116,14 @@ impl Agenda {
         let [bathroom_first, bathroom_last] = bathroom.unwrap_or([true; 2]);
         let says_visits_of_night = life.says_visits_in(Interval::new(bed, next_up), day);
         let sleeps_at = sleeps_at(life, day).map(str::to_owned);
+        let stated = bed_stated_by(life, day, parameters, up);
+        let (bed_of, bed_by) = (stated.map(|stated| stated.0), stated.map_or(RunTime::MIN, |stated| stated.1));
         Agenda {
             day,
             up,
             bed,
+            bed_of,
+            bed_by,
             bed_follows,
             sleeps_at,
             next_up,
@@ -457,6 +464,7 @@ impl Planner<'_> {
         };
         let item = Item {
             place: habit.place.clone(),
+            eats_out: habit.eats_out,
             thing_on: habit.thing_on.clone(),
             falling: habit.falling,
             visitor: habit.visitor.clone(),

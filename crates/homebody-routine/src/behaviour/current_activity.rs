@@ -1,6 +1,7 @@
 //! An activity in progress.
 
 use super::help::VisitorWork;
+use super::item::Item;
 use super::places::HomePlace;
 use super::resident_routine::SentenceId;
 use super::script::{ActivityStep, Interruptible, StayStep};
@@ -137,6 +138,8 @@ pub(super) struct VisitorStay {
     /// `None` until the visitor is in.
     pub(super) until: Option<RunTime>,
     pub(super) said_until: Option<RunTime>,
+    /// The visit of the host's plan, until the visitor is in.
+    pub(super) visit: Option<Item>,
     pub(super) lasts: Span,
     /// The visitor sleeps there, and stays while the host is out.
     pub(super) stays_over: bool,

@@ -3,10 +3,12 @@
 use super::driver::RoutineDriver;
 use super::resident_routine::{ResidentRoutine, SentenceId, SentenceKind};
 use super::tally::{LATE, SentenceOutcome, SentenceTally};
-use crate::routine::{Effect, HabitTime, Phase};
+use crate::explain::words::clock;
+use crate::language::activities::phrase;
+use crate::routine::{Effect, HabitTime, When};
 use homebody_core::ids::ResidentId;
 use homebody_core::run::Run;
-use homebody_core::time::{DAY, MINUTE};
+use homebody_core::time::{DAY, MINUTE, RunTime};
 use serde::Serialize;
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -66,8 +68,8 @@ pub fn of_run(run: &Run, measured: Measured) -> Vec<Difference> {
     all
 }
 
-/// The differences after `days` days. A host only welcomes a visitor who stays for days; the length of the stay is in the
-/// visitor's tally.
+/// The differences after `days` days. A host may do other things in the time of a visit, so its length is in the visitor's
+/// tally.
 fn differences(
     life: &ResidentRoutine,
     tally: &SentenceTally,
@@ -82,10 +84,12 @@ fn differences(
             continue;
         }
         let lived = tally.outcome(id);
-        let lengths =
-            of_visitors.iter().map(|visitor| visitor.outcome(id)).find(|stay| stay.begun > 0).unwrap_or(lived);
+        let of_stay = of_visitors.iter().map(|visitor| visitor.outcome(id)).find(|stay| stay.begun > 0);
+        let lengths = of_stay.unwrap_or_else(|| lived.clone());
         let is_judged = |lost: &Lost| !is_sample || lost.occasions >= LEAST_OF_SAMPLE;
-        if let Some(lost) = difference(life, id, lived, lengths).filter(is_judged) {
+        let lost = if is_sample { None } else { without_day(life, id, days) };
+        let lost = lost.or_else(|| difference(life, id, &lived, &lengths)).filter(is_judged);
+        if let Some(lost) = lost {
             all.push(Difference {
                 resident: life.name.clone(),
                 file: file.to_owned(),
@@ -106,17 +110,17 @@ fn differences(
 pub fn predicted_differences(life: &ResidentRoutine, days: i32) -> Vec<Difference> {
     let own = life.sentences().filter(|(id, ..)| id.source == ResidentRoutine::OWN);
     let never = own.filter_map(|(id, file, said)| {
-        let phase = phase(life, id)?;
-        let from = phase.from.map(|from| life.day_of(from))?;
-        let lived = match from {
-            i32::MAX => return None,
-            from if from >= days => {
+        let when = when(life, id)?;
+        if when.days_of_run(&life.calendar, days).next().is_some() {
+            return None;
+        }
+        let lived = match (when.phase.from.map(|from| life.day_of(from)), when.phase.until) {
+            (Some(i32::MAX), _) => return None,
+            (Some(from), _) if from >= days => {
                 format!("nothing: it begins on day {}, and the run has {days}", i64::from(from) + 1)
             }
-            _ if phase.until.is_some_and(|until| life.day_of(until) <= 0) => {
-                "nothing: it is over before the run".into()
-            }
-            _ => return None,
+            (_, Some(until)) if life.day_of(until) <= 0 => "nothing: it is over before the run".into(),
+            _ => "nothing: it applies on no day of this run".into(),
         };
         Some(Difference {
             resident: life.name.clone(),
@@ -132,11 +136,11 @@ pub fn predicted_differences(life: &ResidentRoutine, days: i32) -> Vec<Differenc
     never.collect()
 }
 
-fn phase(life: &ResidentRoutine, id: SentenceId) -> Option<Phase> {
+fn when(life: &ResidentRoutine, id: SentenceId) -> Option<&When> {
     match id.kind {
-        SentenceKind::Habit => life.habit(id).map(|habit| habit.when.phase),
-        SentenceKind::Rule => life.rule(id).map(|rule| rule.when.phase),
-        SentenceKind::Change => life.change(id).map(|change| change.when.phase),
+        SentenceKind::Habit => life.habit(id).map(|habit| &habit.when),
+        SentenceKind::Rule => life.rule(id).map(|rule| &rule.when),
+        SentenceKind::Change => life.change(id).map(|change| &change.when),
     }
 }
 
@@ -149,14 +153,48 @@ struct Lost {
     occasions: u32,
 }
 
+/// The loss of a habit on days of a weather, an episode or poor nights of which the run had none.
+fn without_day(life: &ResidentRoutine, id: SentenceId, days: i32) -> Option<Lost> {
+    let when = &life.habit(id)?.when;
+    let mut dates = when.days_of_run(&life.calendar, days);
+    let is_never = id.source == ResidentRoutine::OWN && !dates.any(|day| life.is_on(&when.days, day));
+    let (expected, lived) = ("on one day or more".to_owned(), "nothing: it applies on no day of this run".to_owned());
+    is_never.then_some(Lost { expected, lived, share: 1.0, occasions: 0 })
+}
+
+/// The activity that most often took the time of a sentence, and when it ended.
+fn taker_words(life: &ResidentRoutine, lived: &SentenceOutcome) -> String {
+    let most = lived.takers.iter().max_by_key(|(_, ends)| ends.len());
+    let Some((habit, ends)) = most.and_then(|(id, ends)| Some((life.habit(*id)?, ends))) else {
+        return String::new();
+    };
+    let what = match &habit.visitor {
+        Some(visitor) => format!("the visit by {visitor:?}"),
+        None => format!("{:?}", phrase(&habit.activity)),
+    };
+    format!("; its time goes to {what}, until about {}", clock(median_clock_s(life, ends)))
+}
+
+/// The median time of day, in seconds since midnight. Times after midnight follow those before.
+fn median_clock_s(life: &ResidentRoutine, times: &[RunTime]) -> f64 {
+    let minutes =
+        times.iter().map(|at| life.calendar.local(*at)).map(|at| i64::from(at.hour()) * 60 + i64::from(at.minute()));
+    let minutes: Vec<i64> = minutes.collect();
+    let first = minutes.first().copied().unwrap_or_default();
+    let (day, half) = (DAY / MINUTE, DAY / MINUTE / 2);
+    let mut later: Vec<i64> = minutes.iter().map(|minute| (minute - first + half).rem_euclid(day) - half).collect();
+    later.sort_unstable();
+    (first + later.get(later.len() / 2).copied().unwrap_or_default()).rem_euclid(day) as f64 * MINUTE.seconds()
+}
+
 /// The expected and the actual result, if they differ.
 fn difference(
     life: &ResidentRoutine,
     id: SentenceId,
-    lived: SentenceOutcome,
-    lengths: SentenceOutcome,
+    lived: &SentenceOutcome,
+    lengths: &SentenceOutcome,
 ) -> Option<Lost> {
-    let SentenceOutcome { planned, begun, no_way, late, .. } = lived;
+    let SentenceOutcome { planned, begun, no_way, late, .. } = *lived;
     match id.kind {
         SentenceKind::Rule => return None,
         SentenceKind::Change => {
@@ -178,7 +216,7 @@ fn difference(
         let done = begun.saturating_sub(no_way);
         return Some(Lost {
             expected: format!("{all} times"),
-            lived: format!("{done} times: {why}"),
+            lived: format!("{done} times: {why}{}", taker_words(life, lived)),
             share: f64::from(all - done) / f64::from(all),
             occasions: all - done,
         });
@@ -187,17 +225,21 @@ fn difference(
     if habit.when.time != HabitTime::AnyTime && f64::from(late) > f64::from(begun) * LATE_SHARE {
         return Some(Lost {
             expected: "at its time".to_owned(),
-            lived: format!("begun more than {} min late {late} of {begun} times", LATE / MINUTE),
+            lived: format!(
+                "begun more than {} min late {late} of {begun} times{}",
+                LATE / MINUTE,
+                taker_words(life, lived)
+            ),
             share: LATE_WEIGHT * f64::from(late) / f64::from(begun),
             occasions: late,
         });
     }
-    let SentenceOutcome { begun, done, planned_s, lasted_s, .. } = lengths;
+    let SentenceOutcome { begun, done, planned_s, lasted_s, .. } = *lengths;
     let (planned_min, lasted_min) = (planned_s / f64::from(begun) / 60.0, lasted_s / f64::from(done) / 60.0);
     if (habit.when.lasts.is_some() || habit.when.until.is_some()) && done > 0 && lasted_min < SHORT * planned_min {
         return Some(Lost {
             expected: format!("{planned_min:.0} min on average"),
-            lived: format!("{lasted_min:.0} min on average"),
+            lived: format!("{lasted_min:.0} min on average{}", taker_words(life, lived)),
             share: 1.0 - lasted_min / planned_min,
             occasions: done,
         });

@@ -83,6 +83,7 @@ impl Drafts<'_> {
         self.cook_before_eating();
         // Activities relative to a meal move with it.
         self.resolve_starts(&|activity| matches!(activity, Activity::Prepare(_) | Activity::Eat(_)));
+        self.eat_out();
         let bedtime = self.bedtime();
         self.list.retain(|draft| !draft.is_left_out);
         let mornings = self.list.iter().filter(|draft| matches!(draft.start, ItemStart::After(Activity::GetUp, _)));
@@ -225,6 +226,33 @@ impl Drafts<'_> {
             let follows = cooking.of.map(|of| Follows { of, how });
             let item = &mut self.list[eat].item;
             item.follows = item.follows.or(follows);
+        }
+    }
+
+    /// A meal in the time of an outing with a meal is eaten there. Activities that wait for it keep their time.
+    fn eat_out(&mut self) {
+        let end = |item: &Item| item.until.unwrap_or(item.start + item.lasts);
+        let outings = self.list.iter().map(|draft| &draft.item).filter(|item| item.eats_out);
+        let outings: Vec<Interval<RunTime>> = outings.map(|item| Interval::new(item.start, end(item))).collect();
+        let is_there = |item: &Item| {
+            let meal = Interval::new(item.start, end(item));
+            outings.iter().any(|outing| outing.overlap(meal) > Span::ZERO)
+        };
+        for meal in Meal::ALL {
+            let of = [Activity::Eat(meal), Activity::Prepare(meal)];
+            let is_own = |item: &Item| item.visitor.is_none() && of.contains(&item.activity);
+            let is_eaten = |draft: &&ItemDraft| draft.item.activity == of[0] && is_own(&draft.item);
+            if !self.list.iter().filter(is_eaten).any(|draft| is_there(&draft.item)) {
+                continue;
+            }
+            let mut left_out = Vec::new();
+            for draft in self.list.iter_mut().filter(|draft| is_own(&draft.item)) {
+                draft.is_left_out = true;
+                left_out.push(draft.item.of);
+            }
+            for draft in &mut self.list {
+                draft.item.follows = draft.item.follows.filter(|follows| !left_out.contains(&Some(follows.of)));
+            }
         }
     }
 

@@ -277,7 +277,7 @@ impl RoutineDriver {
         let (mut still, mut is_meanwhile, mut passed) = (None, false, Span::ZERO);
         if let Some(over) = self.scripts.pop() {
             (is_meanwhile, passed) = (over.is_meanwhile, now - over.since);
-            self.tally.end(over.of, over.own_time(now));
+            self.tally.end(over.of, over.own_time(now), now);
             still = over.answers.map(|rank| (rank, over.still)).filter(|(_, still)| !still.is_empty());
             self.watches.has_done(&over.label, now, &self.life);
             if let Some(below) = self.scripts.last_mut().filter(|_| over.of.is_some()) {
@@ -545,7 +545,8 @@ impl RoutineDriver {
             |item: &Item| item.is_unsaid && !item.is_essential() && item.start.max(now) + item.lasts > bed;
         let is_past = |item: &Item| is_over(item) || is_too_long(item);
         let rest = self.agenda.items.iter().skip(self.next_item);
-        self.next_item += rest.take_while(|item| is_past(item)).count();
+        let past = rest.take_while(|item| is_past(item)).count();
+        self.pass_over(past, now);
         self.wait_for_others(now);
         self.let_both_be_in_time(now);
         self.prefer_stated(now);

@@ -3,7 +3,8 @@
 use super::defaults;
 use super::drafts::WELCOMED;
 use super::item::Item;
-use crate::routine::Activity;
+use super::resident_routine::ResidentRoutine;
+use crate::routine::{Activity, Meal};
 use homebody_core::activity::{ActivityKind, Help, UsualLength};
 use homebody_core::numbers::Numbers;
 use homebody_core::time::{HOUR, MINUTE, RunTime, Span};
@@ -14,6 +15,9 @@ pub(super) const PUTTING_AWAY: Span = MINUTE.times(5);
 
 /// Time between the last dish and the meal of the host (our choice).
 const SERVED: Span = MINUTE.times(3);
+
+/// Longest time that a meal from a visitor waits for a person without a stated time to eat (our choice).
+const KEEPS_WARM: Span = MINUTE.times(15);
 
 /// Longest time after its plan at which help begins (our choice).
 const LATEST: Span = HOUR;
@@ -50,6 +54,10 @@ pub(super) fn share(items: &mut Vec<Item>, breaks: &mut Vec<Item>, numbers: &Num
         for activity in visit.does.iter().filter(|activity| **activity != Activity::GetUp) {
             if !activity.is_done_together() {
                 items.retain(|item| item.visitor.is_some() || item.activity != *activity);
+                if let Activity::Prepare(meal) = activity {
+                    let ready = visit.start + WELCOMED + usual_length(activity, numbers) + SERVED;
+                    eat_what_comes(items, *meal, &visit, ready);
+                }
                 continue;
             }
             // The host's own wash is this one.
@@ -60,6 +68,20 @@ pub(super) fn share(items: &mut Vec<Item>, breaks: &mut Vec<Item>, numbers: &Num
             let item = Item::now(key, activity.clone(), usual_length(activity, numbers));
             breaks.push(Item { start, latest: start + LATEST, has_its_time: true, is_unsaid: false, ..item });
         }
+    }
+}
+
+/// A meal that a visitor brings or cooks is eaten when it is ready, and without a stated time soon after the visit.
+fn eat_what_comes(items: &mut [Item], meal: Meal, visit: &Item, ready: RunTime) {
+    let over = visit.until.unwrap_or(visit.start + visit.lasts);
+    let is_own = |item: &&mut Item| item.visitor.is_none() && item.activity == Activity::Eat(meal);
+    for item in items.iter_mut().filter(is_own) {
+        let is_stated = item.of.is_some_and(|of| of.source != ResidentRoutine::UNSAID);
+        let start = match is_stated {
+            false if item.start > over + KEEPS_WARM => over,
+            _ => item.start.max(ready.min(over)),
+        };
+        (item.latest, item.start) = (item.latest + (start - item.start).max(Span::ZERO), start);
     }
 }
 

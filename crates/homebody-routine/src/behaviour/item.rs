@@ -40,6 +40,8 @@ pub struct Item {
     /// Whether the visitor was let in already, between two steps of another activity.
     pub is_let_in: bool,
     pub follows: Option<Follows>,
+    /// Of an outing: whether it replaces a meal.
+    pub eats_out: bool,
     /// A thing that is on as long as it lasts.
     pub thing_on: Option<String>,
     /// A thing that is turned on or off, and nothing else.
@@ -109,10 +111,16 @@ impl Item {
             does: Vec::new(),
             is_let_in: false,
             follows: None,
+            eats_out: false,
             thing_on: None,
             turns: None,
             is_meanwhile: false,
         }
+    }
+
+    /// The stated time, even if something else moved the start.
+    pub(super) fn due(&self) -> RunTime {
+        if self.stated_by > RunTime::MIN { self.stated_by } else { self.start }
     }
 
     /// Meals and medicine, which interrupt leisure.

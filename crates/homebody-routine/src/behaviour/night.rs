@@ -32,7 +32,13 @@ const LATE: Span = HOUR.times(2);
 
 impl RoutineDriver {
     pub(super) fn go_to_bed(&mut self, now: RunTime) {
-        self.next_item = self.agenda.items.len();
+        self.pass_over(self.agenda.items.len().saturating_sub(self.next_item), now);
+        if let Some(of) = self.agenda.bed_of {
+            let due = self.agenda.bed.max(self.agenda.bed_by);
+            let bed = Item { of: Some(of), start: due, ..Item::now("bed".into(), Activity::GoToBed, Span::ZERO) };
+            self.tally.plan_item(&bed);
+            self.tally.begin(&bed, now);
+        }
         if self.agenda.bathroom_last {
             let bathroom = defaults::length(&Activity::UseBathroom, &self.life.numbers);
             let mut stream = self.life.stream_of_day(self.agenda.day, "before bed");

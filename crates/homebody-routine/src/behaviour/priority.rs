@@ -92,6 +92,14 @@ impl RoutineDriver {
         self.agenda.items[self.next_item..].sort_by_key(|item| item.start);
     }
 
+    /// Leaves out the next items of the plan.
+    pub(super) fn pass_over(&mut self, count: usize, now: RunTime) {
+        for item in self.agenda.items.iter().skip(self.next_item).take(count) {
+            self.tally.leave_out(item, now);
+        }
+        self.next_item += count;
+    }
+
     /// Whether a stated activity with a time begins before an instant.
     pub(super) fn is_stated_before(&self, end: RunTime) -> bool {
         let ahead = self.agenda.items.iter().skip(self.next_item).take_while(|item| item.start < end);

@@ -9,7 +9,6 @@ use super::parameters::{
     BUSY_DAY, ChangeCourse, DAY_LIKE, DAY_SPREAD, LEAST_PACE, MOST_MOVEMENT, MOST_WEEKS, QUIET_DAY,
 };
 use super::traits::{Constitution, MemberDifference};
-use crate::language::LAST_WEEK;
 use crate::routine::{
     Activity, DayKind, DaySelection, Effect, Habit, HabitChance, HabitTime, Meal, Phase, PhaseDay, Quote, Routine,
     RoutineChange, RoutineRule, WalkRests,
@@ -133,7 +132,7 @@ impl ResidentRoutine {
         life.add_conditions(&routine.changes.clone(), &[], conditions, 0);
         for source in Arc::make_mut(&mut life.sources) {
             let begins = |shown: &Vec<(Phase, f64)>| {
-                shown.iter().filter_map(|(phase, _)| phase.from).map(|from| day_in(calendar, from)).max()
+                shown.iter().filter_map(|(phase, _)| phase.from).map(|from| from.of_run(calendar)).max()
             };
             source.shown.sort_by_key(begins);
         }
@@ -380,18 +379,11 @@ impl ResidentRoutine {
 
     /// The run's first day is 0.
     pub fn day_of(&self, moment: PhaseDay) -> i32 {
-        day_in(&self.calendar, moment)
+        moment.of_run(&self.calendar)
     }
 
     pub fn is_on(&self, days: &DaySelection, day: i32) -> bool {
-        let (_, month, day_of_month) = self.calendar.date(day);
-        days.weekdays >> self.calendar.weekday(day) & 1 == 1
-            && days.months >> (month - 1) & 1 == 1
-            && day.rem_euclid(days.every.max(1) as i32) == 0
-            && match days.of_month {
-                LAST_WEEK => self.calendar.date(day + 7).1 != month,
-                (first, last) => (first..=last).contains(&day_of_month),
-            }
+        days.has_date(&self.calendar, day)
             && days.kind.is_none_or(|kind| self.is_of_kind(kind, day))
             && self.is_such_a_day(days, day)
     }
@@ -568,14 +560,6 @@ impl ResidentRoutine {
                 && self.is_on(&of.when.days, day)
         });
         later.fold(self.phase(&change.when.phase, day), |left, (_, of)| left * (1.0 - self.phase(&of.when.phase, day)))
-    }
-}
-
-/// The run's first day is 0.
-fn day_in(calendar: &Calendar, moment: PhaseDay) -> i32 {
-    match moment {
-        PhaseDay::Day(day) => day,
-        PhaseDay::Date(year, month, day) => calendar.day_of(year, month, day).unwrap_or(i32::MAX),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::defaults;
 use super::places::HomePlaces;
-use super::resident_routine::{DayParameters, InForce, ResidentRoutine};
+use super::resident_routine::{DayParameters, InForce, ResidentRoutine, SentenceId};
 use crate::routine::{Activity, DaySelection, Habit, HabitTime};
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::numbers::Numbers;
@@ -89,6 +89,19 @@ pub(super) fn bed(
         _ => bed,
     };
     within_the_day(bed, up, next_up)
+}
+
+/// The sentence with the time of a bedtime, and the latest time that it states.
+pub(super) fn bed_stated_by(
+    life: &ResidentRoutine,
+    day: i32,
+    parameters: &DayParameters,
+    up: RunTime,
+) -> Option<(SentenceId, RunTime)> {
+    let first = holding(life, day, &Activity::GoToBed).find(|habit| has_time(habit.said))?;
+    let HabitTime::At(time) = &first.said.when.time else { return None };
+    let latest_s = time.high + parameters.later_s(&Activity::GoToBed) + life.person.bed_s;
+    Some((first.id(), after(life, day, latest_s, up)))
 }
 
 /// A bedtime that leaves half an hour of the day, and of the night.

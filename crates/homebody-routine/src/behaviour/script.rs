@@ -207,7 +207,7 @@ impl StepBuilder<'_, '_> {
                 Span::from_seconds(lasts.seconds().clamp(30.0, 600.0)),
                 Interruptible::Rules,
             ),
-            Activity::UseBathroom => self.use_bathroom(lasts),
+            Activity::UseBathroom => self.use_bathroom(place, lasts),
             Activity::Shower => self.shower(place, lasts),
             Activity::Wash => self.with_water(Role::Washbasin, place, lasts, Manner::WASHING),
             Activity::Dress => self.at(Role::Wardrobe, place, lasts, Manner::WASHING, Interruptible::Rules),
@@ -223,13 +223,13 @@ impl StepBuilder<'_, '_> {
             Activity::Read => self.at(Role::Armchair, place, lasts, Manner::READING, Interruptible::Interrupt),
             Activity::Phone => self.at(Role::Telephone, place, lasts, Manner::TALKING, Interruptible::Interrupt),
             Activity::Nap => self.nap(place, lasts),
-            Activity::Laundry => self.laundry(lasts),
+            Activity::Laundry => self.laundry(place, lasts),
             Activity::Housework => self.housework(place, lasts),
             Activity::Leave => self.leave(activity.label(), lasts, until),
             Activity::ComeHome | Activity::GoToBed => {}
             Activity::Visit => self.visit(lasts, until, DoorParts::Both),
-            Activity::Drink => self.drink(lasts),
-            Activity::Snack => self.snack(lasts),
+            Activity::Drink => self.drink(place, lasts),
+            Activity::Snack => self.snack(place, lasts),
             Activity::Exercise => self.at(Role::Armchair, place, lasts, Manner::BUSY, Interruptible::Interrupt),
             Activity::UseComputer => self.at(Role::Desk, place, lasts, Manner::READING, Interruptible::Interrupt),
             Activity::Relax => self.at(Role::Armchair, place, lasts, Manner::STILL, Interruptible::Interrupt),
@@ -282,6 +282,13 @@ impl StepBuilder<'_, '_> {
         posture
     }
 
+    /// The furniture of a stated room, or else the stated place itself.
+    fn in_room(&self, role: Role, place: Option<&HomePlace>) -> Option<HomePlace> {
+        let place = place?;
+        let mut furniture = self.setting.places.all_for(role).into_iter();
+        furniture.find(|spot| place.is_room && spot.room == place.room).or(Some(place)).cloned()
+    }
+
     fn act(&mut self, role: Role, on: bool) {
         if let Some(thing) = self.setting.places.thing(role) {
             self.turn(thing, on);
@@ -313,8 +320,9 @@ impl StepBuilder<'_, '_> {
         Span::from_seconds(self.setting.stream.lognormal(median_s, 0.4))
     }
 
-    fn use_bathroom(&mut self, lasts: Span) {
-        self.at(Role::Toilet, None, lasts, Manner::ON_TOILET, Interruptible::Rules);
+    fn use_bathroom(&mut self, place: Option<&HomePlace>, lasts: Span) {
+        let toilet = self.in_room(Role::Toilet, place);
+        self.at(Role::Toilet, toilet.as_ref(), lasts, Manner::ON_TOILET, Interruptible::Rules);
         self.act(Role::Toilet, true);
         self.act(Role::Toilet, false);
         self.push(ActivityStep::Meet(BodilyNeed::Toilet));
@@ -468,10 +476,12 @@ impl StepBuilder<'_, '_> {
         self.at(role, place, lasts, Manner::ASLEEP, Interruptible::Rules);
     }
 
-    fn laundry(&mut self, lasts: Span) {
-        self.at(Role::WashingMachine, None, lasts * 6 / 10, Manner::BUSY, Interruptible::Rules);
+    fn laundry(&mut self, place: Option<&HomePlace>, lasts: Span) {
+        let machine = self.in_room(Role::WashingMachine, place);
+        self.at(Role::WashingMachine, machine.as_ref(), lasts * 6 / 10, Manner::BUSY, Interruptible::Rules);
         self.act(Role::WashingMachine, true);
-        self.at(Role::Dryer, None, lasts * 4 / 10, Manner::BUSY, Interruptible::Rules);
+        let dryer = self.in_room(Role::Dryer, place);
+        self.at(Role::Dryer, dryer.as_ref(), lasts * 4 / 10, Manner::BUSY, Interruptible::Rules);
         self.act(Role::WashingMachine, false);
     }
 
@@ -547,7 +557,7 @@ impl StepBuilder<'_, '_> {
         }
     }
 
-    fn drink(&mut self, lasts: Span) {
+    fn drink(&mut self, place: Option<&HomePlace>, lasts: Span) {
         let hot = self.setting.stream.chance(0.3);
         if hot && !self.is_spared(Role::Stove) {
             self.go(Role::Stove, None);
@@ -557,13 +567,15 @@ impl StepBuilder<'_, '_> {
             self.act(Role::Stove, false);
         }
         self.with_water(Role::Sink, None, (lasts / 4).max(10 * SECOND), Manner::BUSY);
-        self.at(Role::DiningSeat, None, lasts * 3 / 4, Manner::EATING, Interruptible::Rules);
+        let seat = self.in_room(Role::DiningSeat, place);
+        self.at(Role::DiningSeat, seat.as_ref(), lasts * 3 / 4, Manner::EATING, Interruptible::Rules);
         self.push(ActivityStep::Meet(BodilyNeed::Thirst));
     }
 
-    fn snack(&mut self, lasts: Span) {
+    fn snack(&mut self, place: Option<&HomePlace>, lasts: Span) {
         self.station(Role::Fridge, lasts);
-        self.at(Role::DiningSeat, None, lasts, Manner::EATING, Interruptible::Rules);
+        let seat = self.in_room(Role::DiningSeat, place);
+        self.at(Role::DiningSeat, seat.as_ref(), lasts, Manner::EATING, Interruptible::Rules);
         self.push(ActivityStep::Meet(BodilyNeed::Hunger));
     }
 }

@@ -4,7 +4,7 @@ use super::agenda::Agenda;
 use super::item::Item;
 use super::resident_routine::SentenceId;
 use crate::routine::Activity;
-use homebody_core::time::{MINUTE, RunTime, Span};
+use homebody_core::time::{DAY, Interval, MINUTE, RunTime, Span};
 use std::collections::BTreeMap;
 
 /// Delay within which an activity is in time (our choice): the previous one is finished first, and a walk follows.
@@ -13,9 +13,12 @@ pub const LATE: Span = MINUTE.times(15);
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SentenceTally {
     sentences: BTreeMap<SentenceId, SentenceOutcome>,
+    /// Planned activities that have begun, with their start, and those of the last day that are over.
+    begun: Vec<(SentenceId, RunTime)>,
+    over: Vec<(SentenceId, Interval<RunTime>)>,
 }
 
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct SentenceOutcome {
     /// Planned times on past days; for a rule, how often its trigger lasted long enough; for a change, the days with it.
     pub planned: u32,
@@ -28,12 +31,14 @@ pub struct SentenceOutcome {
     pub lasted_s: f64,
     /// Begun more than [`LATE`] after their time.
     pub late: u32,
+    /// The planned activities that took the time of those that were late or left out, with their ends.
+    pub takers: BTreeMap<SentenceId, Vec<RunTime>>,
 }
 
 impl SentenceTally {
     /// All 0 for a sentence without an occasion.
     pub fn outcome(&self, sentence: SentenceId) -> SentenceOutcome {
-        self.sentences.get(&sentence).copied().unwrap_or_default()
+        self.sentences.get(&sentence).cloned().unwrap_or_default()
     }
 
     /// Counts the plan of a past day from this item on. Coming home is the end of an outing and counts with it.
@@ -52,10 +57,14 @@ impl SentenceTally {
         self.count(item.of, |lived| {
             lived.begun += 1;
             lived.planned_s += until_s.unwrap_or(item.lasts.seconds());
-            // The stated time counts, even if something else moved the start. A visitor who was let in came in time.
-            let due = if item.stated_by > RunTime::MIN { item.stated_by } else { item.start };
-            lived.late += u32::from(!item.is_let_in && now - due > LATE);
         });
+        // A visitor who was let in came in time.
+        if !item.is_let_in && now - item.due() > LATE {
+            self.count(item.of, |lived| lived.late += 1);
+            self.count_taker(item, now);
+        }
+        // Nothing is begun in bed before the day is over.
+        self.begun.extend(item.of.filter(|_| item.activity != Activity::GoToBed).map(|of| (of, now)));
         // An outing ends when the sentence says so, unless it begins later than that.
         let is_late = item.until.is_some_and(|home| now - home > LATE);
         self.count(item.home, |lived| {
@@ -64,7 +73,28 @@ impl SentenceTally {
         });
     }
 
-    pub(super) fn end(&mut self, of: Option<SentenceId>, lasted: Span) {
+    /// Counts what took the time of an item that is left out.
+    pub(super) fn leave_out(&mut self, item: &Item, now: RunTime) {
+        self.count_taker(item, now);
+    }
+
+    /// The activity with the largest part of the time since an item was due.
+    fn count_taker(&mut self, item: &Item, now: RunTime) {
+        let since = Interval::new(item.due(), now.max(item.due()));
+        let begun = self.begun.iter().map(|(of, begin)| (*of, Interval::new(*begin, now)));
+        let others = self.over.iter().copied().chain(begun).filter(|(of, _)| Some(*of) != item.of);
+        let longest = others.max_by_key(|(_, time)| time.overlap(since));
+        let Some((of, time)) = longest.filter(|(_, time)| time.overlap(since) > Span::ZERO) else { return };
+        self.count(item.of, |lived| lived.takers.entry(of).or_default().push(time.end));
+    }
+
+    /// Ends an activity that lasted so long, now.
+    pub(super) fn end(&mut self, of: Option<SentenceId>, lasted: Span, now: RunTime) {
+        if let Some(begun) = self.begun.iter().rposition(|(other, _)| Some(*other) == of) {
+            let (of, begin) = self.begun.remove(begun);
+            self.over.retain(|(_, time)| time.end > now - DAY);
+            self.over.push((of, Interval::new(begin, now)));
+        }
         self.count(of, |lived| {
             lived.done += 1;
             lived.lasted_s += lasted.seconds();
@@ -72,6 +102,7 @@ impl SentenceTally {
     }
 
     pub(super) fn no_way(&mut self, of: Option<SentenceId>) {
+        self.begun.retain(|(other, _)| Some(*other) != of);
         self.count(of, |lived| lived.no_way += 1);
     }
 

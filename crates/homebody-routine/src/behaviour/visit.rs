@@ -212,6 +212,7 @@ impl RoutineDriver {
         self.stay = VisitorStay {
             until: None,
             said_until: if stays_over { Some(end) } else { item.until },
+            visit: Some(item.clone()),
             lasts: item.lasts,
             stays_over,
             has_key: item.has_key,
@@ -232,9 +233,14 @@ impl RoutineDriver {
         // Being out has no label.
         steps.push_back(ActivityStep::Name(String::new()));
         self.play(steps, stream, VISITING);
-        if let Some(playing) = self.scripts.last_mut().filter(|_| stays_over) {
-            (playing.of, playing.since) = (item.of, begin);
-            self.tally.begin(&item, begin);
+    }
+
+    /// The stay begins as the visitor is let in.
+    fn begin_stay(&mut self, now: RunTime) {
+        let Some(visit) = self.stay.visit.take() else { return };
+        if let Some(playing) = self.scripts.last_mut() {
+            (playing.of, playing.since) = (visit.of, now);
+            self.tally.begin(&visit, now);
         }
     }
 
@@ -256,6 +262,7 @@ impl RoutineDriver {
         let until = until.or(said_until).unwrap_or(now.saturating_add(lasts));
         self.stay.until = Some(until);
         self.stay.helps = false;
+        self.begin_stay(now);
         let latest = until + if said_until.is_some() { Span::ZERO } else { MEAL_ENDS };
         let meal = self.meal_of_host(now).filter(|_| now < latest);
         if now >= until && meal.is_none() || self.is_host_away() {

@@ -40,6 +40,49 @@ pub fn build(context: Context, statement: &SpokenStatement, span: TextSpan) -> B
     builder.built
 }
 
+/// Words of outings with a meal if they last over its time, and names of such places (our choice): at clubs, and with family
+/// and friends.
+const WORDS_OF_MEALS: [&str; 36] = [
+    "meal",
+    "lunch",
+    "luncheon",
+    "dinner",
+    "supper",
+    "breakfast",
+    "restaurant",
+    "cafe",
+    "café",
+    "pub",
+    "club",
+    "dine",
+    "dines",
+    "daycare",
+    "family",
+    "daughter",
+    "son",
+    "sister",
+    "brother",
+    "niece",
+    "nephew",
+    "cousin",
+    "grandson",
+    "granddaughter",
+    "granddaughters",
+    "friend",
+    "friends",
+    "neighbour",
+    "neighbor",
+    "neighbours",
+    "neighbors",
+    "verein",
+    "gasthaus",
+    "mittagessen",
+    "abendessen",
+    "tagespflege",
+];
+const PLACES_TO_EAT: [&str; 6] =
+    ["day centre", "day center", "day care", "senior centre", "senior center", "seniors' c"];
+
 impl Builder<'_> {
     fn clause(&mut self, mut clause: Clause) {
         if let Some(heading) = self.context.heading {
@@ -253,6 +296,8 @@ impl Builder<'_> {
             }
         }
         let is_visit = matches!(clause.subject, SentenceSubject::Visitor(_));
+        let eats_out =
+            activity == Activity::Leave && matches!(&clause.verb, Verb::Does(act) if self.names_a_meal(act.span));
         if let Some(key) = parts.key.as_ref().filter(|_| !is_visit) {
             let text = self.said(key.span);
             let reason = "only a visitor comes with a key".to_owned();
@@ -322,6 +367,7 @@ impl Builder<'_> {
                     nights,
                     is_total: parts.total.is_some(),
                 },
+                eats_out: !is_visit && eats_out,
                 thing_on: parts.thing_on.as_ref().map(|slot| slot.value.clone()),
                 key: parts.key.is_some(),
                 does: Vec::new(),
@@ -329,6 +375,13 @@ impl Builder<'_> {
             };
             self.built.habits.push((habit, clause.verb_span));
         }
+    }
+
+    /// Whether the words of an outing name a meal, or a place where people eat.
+    fn names_a_meal(&self, span: TextSpan) -> bool {
+        let said = self.said(span).to_lowercase();
+        let mut words = said.split(|c: char| !c.is_alphanumeric());
+        PLACES_TO_EAT.iter().any(|place| said.contains(place)) || words.any(|word| WORDS_OF_MEALS.contains(&word))
     }
 
     /// Something can be on during what the person does at home.

@@ -2,9 +2,6 @@
 
 use crate::routine::PhaseDay;
 
-/// The first and last day of the month that stand for its last seven days.
-pub const LAST_WEEK: (u8, u8) = (0, 7);
-
 pub fn later(moment: PhaseDay, days: i32) -> PhaseDay {
     match moment {
         PhaseDay::Day(day) => PhaseDay::Day(day.saturating_add(days)),

@@ -2,7 +2,6 @@
 
 use super::activities::phrase;
 use super::amounts::DAY_S;
-use super::calendar::LAST_WEEK;
 use super::times::PLAIN_TIME_S;
 use crate::routine::{
     Activity, Circumstance, DayEpisode, DaySelection, FallEnds, Falling, FallsFrom, Habit, HabitChance, HabitTime,
@@ -35,6 +34,7 @@ pub fn habit_sentence(habit: &Habit) -> String {
     let does = match (&habit.falling, &habit.visitor) {
         (Some(falling), _) => fall_words(falling, habit.when.lasts.is_some()),
         (None, Some(_)) if habit.activity == Activity::Visit => "visits".to_owned(),
+        (None, None) if habit.eats_out => "goes out for a meal".to_owned(),
         _ => phrase(&habit.activity),
     };
     let place = habit.place.as_ref().map(|place| place_words(&habit.activity, place));
@@ -148,7 +148,7 @@ fn days_words(days: &DaySelection) -> Vec<String> {
     };
     let of_month = match days.of_month {
         all if all == DaySelection::ALL.of_month => None,
-        LAST_WEEK if is_one => Some(format!("on the last {weekdays} of {in_month}")),
+        DaySelection::LAST_WEEK if is_one => Some(format!("on the last {weekdays} of {in_month}")),
         (first, last) if is_one && last == first + 6 && first % 7 == 1 && last <= 28 => {
             Some(format!("on the {} {weekdays} of {in_month}", ORDINALS[usize::from(first) / 7]))
         }

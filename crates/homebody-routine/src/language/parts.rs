@@ -258,11 +258,8 @@ impl Parts {
         let except_days = self.except_days.as_ref().map_or(0, |slot| slot.value);
         let except_months = self.except_months.as_ref().map_or(0, |slot| slot.value);
         let weekdays = self.weekdays.as_ref().map_or(DaySelection::ALL.weekdays, |slot| slot.value);
-        // A weekday comes round on days that lie seven apart, so every other one is on every other of these days.
-        let is_of_weeks = weekdays.count_ones() == 1
-            && self.weekdays.is_some()
-            && every.is_multiple_of(7)
-            && !every.is_multiple_of(49);
+        // A weekday comes round on days that lie seven apart, so every 14 days are every two weeks.
+        let is_of_weeks = weekdays.count_ones() == 1 && every.is_multiple_of(7);
         DaySelection {
             weekdays: weekdays & !except_days,
             months: self.months.as_ref().map_or(DaySelection::ALL.months, |slot| slot.value) & !except_months,

@@ -1,5 +1,6 @@
 //! Days, parts of days, and phases.
 
+use homebody_core::calendar::Calendar;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +13,8 @@ pub struct DaySelection {
     pub weekdays: u8,
     /// Bit 0 is January, bit 11 December.
     pub months: u16,
-    /// Every this many days from the first; 1 is every day.
+    /// Every this many days from the first; 1 is every day. With a single weekday, every this many weeks from the Monday of the
+    /// first.
     pub every: u32,
     /// First and last day of the month: from 1 to 7 with Mondays selects the first Monday, from 0 to 7 the last week.
     pub of_month: (u8, u8),
@@ -95,7 +97,7 @@ struct DayNames {
     weekdays: Vec<WeekdayName>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     months: Vec<MonthName>,
-    /// Every this many days from the first.
+    /// Every this many days from the first; with a single weekday, every this many weeks from the Monday of the first.
     #[serde(skip_serializing_if = "Option::is_none")]
     every: Option<u32>,
     /// First and last day of the month; from 0 to 7 is the last week.
@@ -234,6 +236,9 @@ pub enum PhaseDay {
 }
 
 impl DaySelection {
+    /// `of_month` of the last seven days of the month.
+    pub const LAST_WEEK: (u8, u8) = (0, 7);
+
     pub const ALL: DaySelection = DaySelection {
         weekdays: 0x7f,
         months: 0xfff,
@@ -244,6 +249,43 @@ impl DaySelection {
         episode: None,
         poor_nights: 0,
     };
+
+    /// Whether the date of a day of the run is selected. All sentences count weeks from the same Monday, so that every other
+    /// Saturday and every other Sunday are one weekend.
+    pub fn has_date(&self, calendar: &Calendar, day: i32) -> bool {
+        let (_, month, day_of_month) = calendar.date(day);
+        let counted = match self.weekdays.is_power_of_two() {
+            true => (day + i32::from(calendar.weekday(0))).div_euclid(7),
+            false => day,
+        };
+        self.weekdays >> calendar.weekday(day) & 1 == 1
+            && self.months >> (month - 1) & 1 == 1
+            && counted.rem_euclid(self.every.max(1) as i32) == 0
+            && match self.of_month {
+                DaySelection::LAST_WEEK => calendar.date(day + 7).1 != month,
+                (first, last) => (first..=last).contains(&day_of_month),
+            }
+    }
+}
+
+impl PhaseDay {
+    /// The run's first day is 0.
+    pub fn of_run(self, calendar: &Calendar) -> i32 {
+        match self {
+            PhaseDay::Day(day) => day,
+            PhaseDay::Date(year, month, day) => calendar.day_of(year, month, day).unwrap_or(i32::MAX),
+        }
+    }
+}
+
+impl Phase {
+    /// Whether it has begun, and is not over, on a day of the run.
+    pub fn has_day(&self, calendar: &Calendar, day: i32) -> bool {
+        let day_of = |moment: PhaseDay| f64::from(moment.of_run(calendar));
+        let day = f64::from(day);
+        self.from.is_none_or(|from| day_of(from) <= day)
+            && self.until.is_none_or(|until| day < day_of(until) + self.fading_days)
+    }
 }
 
 impl From<PhaseDay> for String {

@@ -8,7 +8,7 @@ use crate::messages::DraftMessage;
 use crate::wire::{ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView};
 use homebody_core::problem::{Diagnose, Diagnostic, Problem};
 use homebody_core::scenario::load::{ResidentDriver, Scenario};
-use homebody_routine::explain::{self, ExplanationKind, Spread, explain};
+use homebody_routine::explain::{self, Explanation, ExplanationKind, Spread, explain};
 use homebody_routine::household::{Household, RoutineReading};
 use homebody_routine::routine::Routine;
 use homebody_simulation::{Cancel, SimulationError};
@@ -43,7 +43,7 @@ impl DraftService {
             problems: problems(wrong),
             first: dates::date(&scenario.calendar, 0),
             days,
-            sentences: sentences(routine),
+            sentences: views(explain(routine).dated(&scenario.calendar, days as i32)),
             unsaid: sentences(unsaid),
             conditions: conditions.iter().map(condition).collect(),
             words: words.clone(),
@@ -76,7 +76,11 @@ fn not_understood(problems: Vec<ProblemView>) -> ExplainView {
 }
 
 fn sentences(routine: &Routine) -> Vec<SentenceView> {
-    explain(routine).sentences.into_iter().map(sentence_view).collect()
+    views(explain(routine))
+}
+
+fn views(explanation: Explanation) -> Vec<SentenceView> {
+    explanation.sentences.into_iter().map(sentence_view).collect()
 }
 
 pub fn sentence_view(row: explain::ExplanationRow) -> SentenceView {
@@ -93,7 +97,7 @@ pub fn sentence_view(row: explain::ExplanationRow) -> SentenceView {
         said: row.said,
         kind: kind.to_owned(),
         what: row.place.map_or(row.what.clone(), |place| format!("{} ({place})", row.what)),
-        days: row.days,
+        days: row.dates.map_or(row.days.clone(), |dates| format!("{}; {dates}", row.days)),
         when: row.when,
         start_s: span(row.start),
         lasts_s: span(row.lasts),

@@ -2,7 +2,7 @@
 
 use super::arguments::{Arguments, Production, parts};
 use super::times::as_part;
-use crate::language::calendar::{self, LAST_WEEK};
+use crate::language::calendar;
 use crate::language::messages::TimeSentenceMessage;
 use crate::language::parts::Parts;
 use crate::language::value::PhraseValue;
@@ -276,7 +276,7 @@ fn nth_of_month(a: &mut Arguments) -> Option<PhraseValue> {
 /// The days of a month among which its first, second or last Monday is.
 fn of_weekday(nth: f64) -> Option<(u8, u8)> {
     match nth as u8 {
-        0 => Some(LAST_WEEK),
+        0 => Some(DaySelection::LAST_WEEK),
         nth @ 1..=4 => Some((nth * 7 - 6, nth * 7)),
         _ => None,
     }

@@ -70,13 +70,13 @@ pub fn named(name: &str) -> Option<Production> {
                 a.fault(a.span, TimeSentenceMessage::SeveralWeekdays { text: a.said(a.span) });
             }
             let part = a.one(as_part).and_then(|part| a.slot(part));
-            parts(Parts { every: a.slot(nth as u32), weekdays: a.slot(weekdays), part, ..Parts::default() })
+            parts(Parts { every: a.slot(nth as u32 * 7), weekdays: a.slot(weekdays), part, ..Parts::default() })
         },
         "every_weeks_on" => |a| {
             let (weeks, day) = (a.numbers()[0], a.numbers()[1]);
             let weekdays = a.slot(1_u8 << day as u8);
             let is_whole = weeks.fract() == 0.0 && (1.0..=52.0).contains(&weeks);
-            is_whole.then(|| parts(Parts { every: a.slot(weeks as u32), weekdays, ..Parts::default() }))?
+            is_whole.then(|| parts(Parts { every: a.slot(weeks as u32 * 7), weekdays, ..Parts::default() }))?
         },
         "each_period" => |a| {
             let days = [a.number_constants(), a.numbers()].concat()[0];

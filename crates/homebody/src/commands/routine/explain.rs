@@ -30,17 +30,21 @@ impl RoutineExplainArguments {
     pub fn run(self) -> Result<(), Failure> {
         let opened = self.scenario.source()?.open()?;
         let (scenario, household) = (opened.scenario(), opened.household());
-        let routines = (0..scenario.residents.len()).filter_map(|resident| household.routine(resident).cloned());
+        let of_residents = (0..scenario.residents.len()).filter_map(|resident| household.routine(resident));
+        let days = scenario.file.days as i32;
+        let routines = of_residents.map(|routine| explain(routine).dated(&scenario.calendar, days));
+        // A condition begins with the sentence that shows it, so its own dates are not those of the run.
+        let conditions = household.conditions().values().map(explain);
         let unsaid =
             (0..scenario.residents.len()).filter(|_| self.unsaid).filter_map(|resident| household.unsaid(resident));
-        let all: Vec<_> = routines.chain(household.conditions().values().cloned()).chain(unsaid).collect();
+        let all: Vec<_> = routines.chain(conditions).chain(unsaid.map(|routine| explain(&routine))).collect();
         if all.is_empty() {
             return Err(Failure::asked(RoutinesMessage::NoRoutine { scenario: scenario.file.name.clone() }));
         }
         if self.json {
-            return print_json(&json!({ "routines": all.iter().map(explain).collect::<Vec<_>>() }));
+            return print_json(&json!({ "routines": all }));
         }
-        let texts: Vec<String> = all.iter().map(|routine| explain(routine).to_text()).collect();
+        let texts: Vec<String> = all.iter().map(|explanation| explanation.to_text()).collect();
         print_text(&texts.join("\n"))
     }
 }
