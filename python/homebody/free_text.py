@@ -54,6 +54,8 @@ class DraftRow:
     assumed: list[str]
     #: The parts that a routine cannot say.
     cannot_be_said: list[str]
+    #: The list of the answer that has the statement of this row, where nothing is simulated; ``None`` for a row of statements.
+    stands_under: str | None = None
 
     @property
     def problems(self) -> list[str]:
@@ -61,7 +63,8 @@ class DraftRow:
         refused = [f"{one.text!r} is refused: {one.refused}" for one in self.statements if one.refused is not None]
         differences = [f"{one.text!r}: {one.difference}" for one in self.statements if one.difference is not None]
         invented = [] if self.is_in_text or not self.statements else [f"the text has no such sentence: {self.source!r}"]
-        return invented + refused + differences
+        misplaced = [f"the answer has {one.text!r} under {self.stands_under!r}" for one in self.statements if self.stands_under is not None]
+        return invented + refused + misplaced + differences
 
     @property
     def is_usable(self) -> bool:
@@ -117,11 +120,12 @@ class FreeTextLife:
         return None if self._conversation.is_over else self._conversation.prompt
 
     def routine(self, accept: Sequence[bool] | None = None) -> str:
-        """The text of a routine from the accepted rows, with their sources as comments. Without ``accept``, all usable rows are accepted.
+        """The text of a routine from the accepted rows, with their sources as comments. Without ``accept``, all usable rows are accepted,
+        but for sentences among the notes of the answer.
 
         Nothing is written: :meth:`homebody.Scenario.with_routine` takes the text.
         """
-        accepted = [row.is_usable for row in self.rows] if accept is None else _flags(accept, len(self.rows))
+        accepted = [row.is_usable and row.stands_under is None for row in self.rows] if accept is None else _flags(accept, len(self.rows))
         text, lost = self._conversation.routine(accepted)
         for why in lost:
             warnings.warn(f"not in the routine: {why}", stacklevel=2)
@@ -223,7 +227,7 @@ def _flags(accept: Sequence[bool], count: int) -> list[bool]:
 
 def _row(line: dict[str, Any]) -> DraftRow:
     statements = [_statement(one) for one in line["statements"]]
-    return DraftRow(line["source"], line["is_in_text"], statements, line["assumed"], line["cannot_be_said"])
+    return DraftRow(line["source"], line["is_in_text"], statements, line["assumed"], line["cannot_be_said"], line.get("stands_under"))
 
 
 def _statement(one: dict[str, Any]) -> DraftStatement:

@@ -7,7 +7,7 @@ use crate::model_answer::{AnswerLine, lines_of};
 use crate::model_server::{ChatMessage, ModelServer};
 use crate::rounds_file::{ConversationRound, RoundsFile};
 use crate::system_prompt::{capitalised, first_request, next_request, system_prompt};
-use crate::trial::StatementTrial;
+use crate::trial::{PlacedStatement, StatementTrial};
 use homebody_simulation::{Cancel, OpenScenario, SimulationError, VERSION};
 
 /// Most answers of a conversation (our choice): later ones hardly better the routine.
@@ -135,40 +135,51 @@ impl Conversation {
 
     /// The draft of an answer. It is simulated if nothing else is wrong, or `at_last`.
     fn tried(&self, lines: &[AnswerLine], at_last: bool) -> Result<LifeDraft, SimulationError> {
-        let places: Vec<(usize, usize)> = lines
-            .iter()
-            .enumerate()
-            .flat_map(|(line, of)| (0..of.statements.len()).map(move |statement| (line, statement)))
-            .collect();
-        let statements: Vec<String> = places.iter().map(|&(line, at)| lines[line].statements[at].clone()).collect();
-        let tried = self.trial.read(&statements);
         let mut draft = LifeDraft {
             lines: lines.iter().map(|line| self.draft_line(line)).collect(),
             left_out: self.text.left_out(lines.iter().map(|line| line.source.as_str())),
             ..LifeDraft::default()
         };
-        for (&(line, at), refused) in places.iter().zip(&tried.refused) {
-            draft.lines[line].statements[at].refused.clone_from(refused);
-        }
-        for (index, meaning) in tried.meanings() {
-            let (line, at) = places[index];
-            draft.lines[line].statements[at].meaning.push(meaning);
-        }
+        place(&mut draft.lines, FIRST_LINE);
+        let tried = self.trial.read(&placed(&draft.lines));
+        draft.take(&tried);
+        self.add_misplaced(&mut draft);
         if !at_last && !draft.problems().is_empty() {
             return Ok(draft);
         }
         match tried.simulate(&self.cancel) {
             Ok(differences) => {
                 draft.is_simulated = true;
-                for (index, difference) in differences {
-                    let (line, at) = places[index];
-                    draft.lines[line].statements[at].difference.get_or_insert(difference);
+                for (line, difference) in differences {
+                    draft.at(line).into_iter().for_each(|statement| {
+                        statement.difference.get_or_insert_with(|| difference.clone());
+                    });
                 }
             }
             Err(SimulationError::Driver { why, .. }) => draft.run_stops = Some(why),
             Err(error) => return Err(error),
         }
         Ok(draft)
+    }
+
+    /// Adds a line for each sentence of the language among the notes of the answer.
+    fn add_misplaced(&self, draft: &mut LifeDraft) {
+        let mut notes: Vec<DraftLine> = draft.lines.iter().flat_map(lines_of_notes).collect();
+        // A note that contradicts another one is read once that one has its line.
+        while !notes.is_empty() {
+            place(&mut notes, line_behind(&draft.lines));
+            let all = [placed(&draft.lines), placed(&notes)].concat();
+            let mut read = LifeDraft { lines: notes, ..LifeDraft::default() };
+            read.take(&self.trial.read(&all));
+            let (found, rest): (Vec<DraftLine>, Vec<DraftLine>) =
+                read.lines.into_iter().partition(|line| !line.statements[0].meaning.is_empty());
+            if found.is_empty() {
+                break;
+            }
+            draft.lines.extend(found);
+            place(&mut draft.lines, FIRST_LINE);
+            notes = rest;
+        }
     }
 
     fn draft_line(&self, line: &AnswerLine) -> DraftLine {
@@ -179,6 +190,7 @@ impl Conversation {
             statements: line.statements.iter().map(statement).collect(),
             assumed: line.assumed.clone(),
             cannot_be_said: line.cannot_be_said.clone(),
+            stands_under: None,
         }
     }
 
@@ -244,12 +256,9 @@ impl Conversation {
         let draft = self.draft()?;
         let is_accepted = |index: usize| accepted.get(index).copied().unwrap_or(false);
         let lines = || draft.lines.iter().enumerate();
-        let statements: Vec<String> = lines()
-            .filter(|(index, _)| is_accepted(*index))
-            .flat_map(|(_, line)| line.accepted())
-            .map(String::from)
-            .collect();
-        let mut tried = self.trial.read(&statements).refused.into_iter();
+        let statements: Vec<PlacedStatement> =
+            lines().filter(|(index, _)| is_accepted(*index)).flat_map(|(_, line)| placed_of(line)).collect();
+        let mut refused = self.trial.read(&statements).refused;
         let mut lost = Vec::new();
         let mut text =
             "# A routine made of free text by homebody life from. Each comment is a sentence of the text, or a note about it.\n"
@@ -264,7 +273,7 @@ impl Conversation {
                 let why = match (is_accepted(index), &statement.refused) {
                     (false, _) => Some("not accepted".to_owned()),
                     (true, Some(why)) => Some(format!("refused ({why})")),
-                    (true, None) => tried.next().flatten().map(|why| {
+                    (true, None) => refused.remove(&statement.line).map(|why| {
                         lost.push(format!("{:?}: {why}", statement.text));
                         format!("refused ({why})")
                     }),
@@ -300,6 +309,58 @@ impl Conversation {
     pub fn person(&self) -> String {
         capitalised(&self.trial.opened.scenario().residents[self.trial.resident].file.name)
     }
+}
+
+/// The line of a routine below the comment about its origin.
+const FIRST_LINE: u32 = 2;
+
+/// Gives each statement its line in the routine, as [`Conversation::routine`] writes it.
+fn place(lines: &mut [DraftLine], mut next: u32) {
+    for line in lines {
+        // An empty line, the source and the notes.
+        next += 2 + (line.assumed.len() + line.cannot_be_said.len()) as u32;
+        for statement in &mut line.statements {
+            statement.line = next;
+            statement.meaning.iter_mut().for_each(|row| row.line = next);
+            next += 1;
+        }
+    }
+}
+
+fn line_behind(lines: &[DraftLine]) -> u32 {
+    let of_line =
+        |line: &DraftLine| (2 + line.assumed.len() + line.cannot_be_said.len() + line.statements.len()) as u32;
+    FIRST_LINE + lines.iter().map(of_line).sum::<u32>()
+}
+
+/// The statements that are not refused.
+fn placed(lines: &[DraftLine]) -> Vec<PlacedStatement> {
+    lines.iter().flat_map(placed_of).collect()
+}
+
+fn placed_of(line: &DraftLine) -> impl Iterator<Item = PlacedStatement> {
+    let kept = line.statements.iter().filter(|statement| statement.refused.is_none());
+    kept.map(|statement| PlacedStatement {
+        text: statement.text.clone(),
+        source: line.source.clone(),
+        line: statement.line,
+    })
+}
+
+/// A line for each note of a line, as if it were a statement. A note that repeats a statement has none.
+fn lines_of_notes(line: &DraftLine) -> Vec<DraftLine> {
+    let bare = |text: &str| text.trim_end_matches('.').to_lowercase();
+    let is_said = |note: &String| line.accepted().any(|said| bare(said) == bare(note));
+    let notes = [("assumed", &line.assumed), ("cannot_be_said", &line.cannot_be_said)];
+    let notes = notes.into_iter().flat_map(|(list, notes)| notes.iter().map(move |note| (list, note)));
+    let made = |(list, note): (&'static str, &String)| DraftLine {
+        source: line.source.clone(),
+        is_in_text: line.is_in_text,
+        statements: vec![DraftStatement { text: note.clone(), ..DraftStatement::default() }],
+        stands_under: Some(list),
+        ..DraftLine::default()
+    };
+    notes.filter(|(_, note)| !is_said(note)).map(made).collect()
 }
 
 fn one_line(text: &str) -> String {

@@ -57,8 +57,14 @@ homebody_core::messages! {
         NoSource { said: String } warning "no-source" ("not a sentence of the text: {said:?}")
             hint ("accept the line only if its statements are true");
         /// The reader of routines refuses this sentence of the model, so it is not part of the routine.
-        Refused { statement: String, why: String } warning "refused" ("refused: {statement:?}: {why}")
+        Refused { line: u32, statement: String, why: String } warning "refused"
+            ("refused, for line {line} of the routine: {statement:?}: {why}")
             hint ("write another sentence for it into the routine");
+        /// A sentence of the routine language stands among the notes of the answer. Notes are not simulated, so that it is lost unless
+        /// a person accepts it.
+        Misplaced { statement: String, list: String } warning "misplaced"
+            ("the answer has this sentence under {list:?}, where nothing is simulated: {statement:?}")
+            hint ("accept its line at the end of the table if it is true, or write it into the routine");
         /// In the simulated days, this sentence did not happen as it says.
         NotAsSaid { statement: String, expected: String, simulated: String } warning "not-as-said"
             ("{statement:?}: expected {expected}; simulated {simulated}")

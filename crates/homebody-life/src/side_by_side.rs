@@ -33,6 +33,10 @@ impl DraftLine {
             (None, Some(of)) => format!("{} (simulated {})", statement.text, of.lived),
             (None, None) => statement.text.clone(),
         });
+        let statements = statements.map(|statement| match self.stands_under {
+            Some(list) => format!("(under {list:?}) {statement}"),
+            None => statement,
+        });
         let source = if self.is_in_text { self.source.clone() } else { format!("(not in the text) {}", self.source) };
         row(&[vec![source], statements.collect(), self.assumed.clone(), self.cannot_be_said.clone()])
     }
@@ -99,7 +103,7 @@ mod tests {
             is_in_text: true,
             statements: vec![statement("She gets up at 07:00.", None), statement("She sits.", Some("where"))],
             assumed: vec!["x".repeat(50)],
-            cannot_be_said: Vec::new(),
+            ..DraftLine::default()
         };
         let row = line.row();
         assert!(row.lines().all(|line| line.chars().count() <= 123), "{row}");

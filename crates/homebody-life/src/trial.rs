@@ -7,6 +7,7 @@ use homebody_core::resident::DriverFile;
 use homebody_routine::behaviour::difference::Difference;
 use homebody_routine::explain::{ExplanationRow, explain};
 use homebody_simulation::{Cancel, OpenScenario, SimulationError};
+use std::collections::BTreeMap;
 
 /// Days of a trial: two months show what a week does not, such as every other Thursday.
 const TRIAL_DAYS: f64 = 60.0;
@@ -20,13 +21,23 @@ pub struct StatementTrial {
     pub file: String,
 }
 
+/// A statement at its place in the routine that is made of an answer.
+#[derive(Clone, Debug)]
+pub struct PlacedStatement {
+    pub text: String,
+    /// The sentence of the text that it is made of.
+    pub source: String,
+    /// The line of the routine, from 1.
+    pub line: u32,
+}
+
 /// The statements after their trial.
 pub struct TriedStatements {
-    /// By statement: the reason why it is refused.
-    pub refused: Vec<Option<String>>,
+    /// By line of the routine: the reason why its statement is refused.
+    pub refused: BTreeMap<u32, String>,
     resident: usize,
-    /// The scenario with the others as the routine of the resident, and the statement of each line of the routine.
-    accepted: Option<(OpenScenario, Vec<usize>)>,
+    /// The scenario with the others as the routine of the resident.
+    accepted: Option<OpenScenario>,
 }
 
 impl StatementTrial {
@@ -56,53 +67,59 @@ impl StatementTrial {
         Ok(trial)
     }
 
-    /// Reads statements, and leaves out those that the reader refuses or understands in part only.
-    pub fn read(&self, statements: &[String]) -> TriedStatements {
-        let mut refused: Vec<Option<String>> = statements.iter().map(|statement| misshapen(statement)).collect();
-        loop {
-            let kept: Vec<usize> = (0..statements.len()).filter(|&index| refused[index].is_none()).collect();
-            let wrong = match self.with_routine(&text_of(statements, &kept)) {
+    /// Reads statements in the order of their lines, and leaves out those that the reader refuses or understands in part only.
+    pub fn read(&self, statements: &[PlacedStatement]) -> TriedStatements {
+        let why = |statement: &PlacedStatement| Some((statement.line, misshapen(&statement.text)?));
+        let mut refused: BTreeMap<u32, String> = statements.iter().filter_map(why).collect();
+        let accepted = loop {
+            let kept = statements.iter().filter(|statement| !refused.contains_key(&statement.line));
+            let wrong: Vec<(u32, String)> = match self.with_routine(&text_of(kept)) {
                 Ok(opened) => {
                     let wrong = self.unsimulated(&opened);
                     if wrong.is_empty() {
-                        return TriedStatements { refused, resident: self.resident, accepted: Some((opened, kept)) };
+                        break Some(opened);
                     }
                     wrong
                 }
-                Err(problems) => problems.iter().filter_map(|problem| self.place_of(problem)).collect(),
+                Err(problems) => problems.iter().filter_map(|problem| self.place_of(problem, statements)).collect(),
             };
-            let mut are_some = false;
-            for (line, why) in wrong {
-                if let Some(reason) = kept.get(line).and_then(|&index| refused.get_mut(index)) {
-                    reason.get_or_insert(why);
-                    are_some = true;
-                }
+            let count = refused.len();
+            for (line, why) in wrong.into_iter().filter(|(line, _)| statements.iter().any(|of| of.line == *line)) {
+                refused.entry(line).or_insert(why);
             }
-            if !are_some {
-                return self.read_one_by_one(statements, refused);
+            if refused.len() == count {
+                break self.read_one_by_one(statements, &mut refused);
             }
-        }
+        };
+        TriedStatements { refused, resident: self.resident, accepted }
     }
 
     /// Reads each statement after those that were accepted, for problems that name no line.
-    fn read_one_by_one(&self, statements: &[String], mut refused: Vec<Option<String>>) -> TriedStatements {
+    fn read_one_by_one(
+        &self,
+        statements: &[PlacedStatement],
+        refused: &mut BTreeMap<u32, String>,
+    ) -> Option<OpenScenario> {
         let (mut kept, mut accepted) = (Vec::new(), None);
-        for (index, reason) in refused.iter_mut().enumerate().filter(|(_, reason)| reason.is_none()) {
-            kept.push(index);
-            let why = match self.with_routine(&text_of(statements, &kept)) {
+        for statement in statements {
+            if refused.contains_key(&statement.line) {
+                continue;
+            }
+            kept.push(statement);
+            let why = match self.with_routine(&text_of(kept.iter().copied())) {
                 Ok(opened) => match self.unsimulated(&opened).pop() {
                     Some((_, why)) => why,
                     None => {
-                        accepted = Some((opened, kept.clone()));
+                        accepted = Some(opened);
                         continue;
                     }
                 },
-                Err(problems) => problems.first().map(Problem::text).unwrap_or_default(),
+                Err(problems) => problems.first().map(|of| naming(&of.text(), statements)).unwrap_or_default(),
             };
-            *reason = Some(why);
+            refused.insert(statement.line, why);
             kept.pop();
         }
-        TriedStatements { refused, resident: self.resident, accepted }
+        accepted
     }
 
     /// The scenario with a text as the routine of the resident.
@@ -112,58 +129,78 @@ impl StatementTrial {
         OpenScenario::from_files(&edit.over(source.files()), source.entry()).map_err(|problems| problems.0)
     }
 
-    /// The line of the routine, from 0, and the problem with its hint.
-    fn place_of(&self, problem: &Problem) -> Option<(usize, String)> {
+    /// The line of the routine, and the problem with its hint.
+    fn place_of(&self, problem: &Problem, statements: &[PlacedStatement]) -> Option<(u32, String)> {
         let is_own = problem.file == self.file && problem.line > 0;
-        is_own.then(|| (problem.line as usize - 1, problem.text().replace("\n  hint: ", "; hint: ")))
+        is_own.then(|| (problem.line, naming(&problem.text(), statements)))
     }
 
     /// The lines with words that are not simulated.
-    fn unsimulated(&self, opened: &OpenScenario) -> Vec<(usize, String)> {
+    fn unsimulated(&self, opened: &OpenScenario) -> Vec<(u32, String)> {
         let remarks = opened.household().routine(self.resident).map(|routine| &routine.remarks[..]).unwrap_or_default();
         let part = |text: &str| {
             let text = text.trim();
             format!("{text:?} is not simulated; hint: leave it out of the statement, and write it into cannot_be_said")
         };
-        remarks.iter().map(|remark| (remark.line as usize - 1, part(&remark.text))).collect()
+        remarks.iter().map(|remark| (remark.line, part(&remark.text))).collect()
     }
 }
 
 impl TriedStatements {
-    /// The meaning of the accepted statements, each with its statement.
-    pub fn meanings(&self) -> Vec<(usize, ExplanationRow)> {
-        let Some((opened, kept)) = &self.accepted else { return Vec::new() };
-        let rows = opened.household().routine(self.resident).map_or_else(Vec::new, |of| explain(of).sentences);
-        let of_statement = |row: ExplanationRow| {
-            let index = *kept.get(row.line.checked_sub(1)? as usize)?;
-            Some((index, ExplanationRow { line: index as u32 + 1, ..row }))
-        };
-        rows.into_iter().filter_map(of_statement).collect()
+    /// The meaning of the accepted statements.
+    pub fn meanings(&self) -> Vec<ExplanationRow> {
+        let routine = self.accepted.as_ref().and_then(|opened| opened.household().routine(self.resident));
+        routine.map_or_else(Vec::new, |of| explain(of).sentences)
     }
 
-    /// Simulates the accepted statements. Returns what did not happen as said, each with its statement.
+    /// Simulates the accepted statements. Returns what did not happen as said, each with the line of its statement.
     ///
     /// # Errors
     ///
     /// The error of a run that stops, or [`SimulationError::Cancelled`].
-    pub fn simulate(&self, cancel: &Cancel) -> Result<Vec<(usize, Difference)>, SimulationError> {
-        let Some((opened, kept)) = &self.accepted else { return Ok(Vec::new()) };
+    pub fn simulate(&self, cancel: &Cancel) -> Result<Vec<(u32, Difference)>, SimulationError> {
+        let Some(opened) = &self.accepted else { return Ok(Vec::new()) };
         let mut run = opened.run().days(TRIAL_DAYS).cancel(cancel).start()?;
         while run.next_batch()?.is_some() {}
         if cancel.is_cancelled() {
             return Err(SimulationError::Cancelled);
         }
-        let of_statement = |of: Difference| Some((*kept.get(of.line.checked_sub(1)? as usize)?, of));
         // Without effect are the sentences without effect on a run of all days.
         let of_trial = run.differences().into_iter().filter(|of| !of.told);
         let without_effect = opened.household().predicted_differences(opened.scenario().file.days as i32);
-        Ok(without_effect.into_iter().chain(of_trial).filter_map(of_statement).collect())
+        Ok(without_effect.into_iter().chain(of_trial).map(|of| (of.line, of)).collect())
     }
 }
 
-/// One statement a line.
-fn text_of(statements: &[String], kept: &[usize]) -> String {
-    kept.iter().map(|&index| format!("{}\n", statements[index])).collect()
+/// Each statement on its line.
+fn text_of<'s>(statements: impl Iterator<Item = &'s PlacedStatement>) -> String {
+    let mut text = String::new();
+    let mut line = 1;
+    for statement in statements {
+        text += &"\n".repeat(statement.line.saturating_sub(line) as usize);
+        text += &statement.text;
+        line = statement.line;
+    }
+    text + "\n"
+}
+
+/// The text of a problem on one line, with the statements behind the numbers of their lines.
+fn naming(problem: &str, statements: &[PlacedStatement]) -> String {
+    let mut is_numbered = false;
+    let words = problem.replace("\n  hint: ", "; hint: ");
+    let named = words.split(' ').map(|word| {
+        let number = word.trim_end_matches([',', ':', ';']);
+        let statement = number.parse().ok().and_then(|line: u32| statements.iter().find(|one| one.line == line));
+        let is_line = is_numbered && statement.is_some();
+        is_numbered = matches!(word, "line" | "lines") || is_line && word.ends_with(',');
+        match statement.filter(|_| is_line) {
+            Some(PlacedStatement { text, source, .. }) => {
+                format!("{number} ({text:?}, of source {source:?}){}", &word[number.len()..])
+            }
+            None => word.to_owned(),
+        }
+    });
+    named.collect::<Vec<_>>().join(" ")
 }
 
 /// The reason why a text is no statement, whatever the language says: it could be a comment, or it could hide something.

@@ -46,7 +46,7 @@ fn a_good_answer_ends_it() {
     // The meaning of each statement is read, which is not always what its words suggest.
     let nap = &draft.lines[1].statements[0].meaning;
     assert_eq!(nap.len(), 1, "{nap:?}");
-    assert_eq!((nap[0].line, &nap[0].when[..5]), (2, "after"), "{nap:?}");
+    assert_eq!((nap[0].line, &nap[0].when[..5]), (7, "after"), "{nap:?}");
     assert!(nap[0].in_words.contains("nap") && nap[0].in_words.contains("40 minutes"), "{nap:?}");
     assert_eq!(serde_json::to_value(&nap[0].statement).unwrap()["activity"], "napping");
     let (routine, lost) = conversation.routine(&[true, false, true]).unwrap();
@@ -152,6 +152,71 @@ fn only_statements_come_out() {
     let sentences: Vec<&str> = routine.lines().filter(|line| !line.starts_with('#') && !line.is_empty()).collect();
     assert_eq!(sentences, ["She reads at 10:00 for 20 minutes."], "{routine}");
     assert!(conversation.prompt().contains("The text has no such sentence: \"She is a spy.\""));
+}
+
+fn answer_with_notes(assumed: &[&str], cannot_be_said: &[&str]) -> String {
+    let nap = json!({
+        "source": "After lunch she has a nap.", "statements": ["She naps after lunch for 40 minutes."],
+        "assumed": assumed, "cannot_be_said": cannot_be_said,
+    });
+    let misses = json!({ "source": "She misses her husband.", "statements": [], "cannot_be_said": ["a feeling"] });
+    answer(&[line("Margaret gets up at seven.", &["She gets up at 07:00."]), nap, misses])
+}
+
+#[test]
+fn sentences_among_the_notes_go_back() {
+    let first = answer_with_notes(
+        &["She reads at 16:00 for 30 minutes.", "the length", "She naps after lunch for 40 minutes"],
+        &["She prays at 20:00.", "She gets up at 08:00."],
+    );
+    let (conversation, server) = played(TEXT, &[first, good()]);
+    let requests = server.requests();
+    let asks = requests[1].asks();
+    for (list, sentence) in
+        [("assumed", "She reads at 16:00 for 30 minutes."), ("cannot_be_said", "She prays at 20:00.")]
+    {
+        assert!(asks.contains(&format!("{sentence:?} of the language stands under {list:?}")), "{asks}");
+    }
+    // The length is no sentence, the nap is a statement already, and the other time of getting up contradicts one.
+    assert_eq!(asks.matches("stands under").count(), 2, "{asks}");
+    assert!(conversation.draft().unwrap().problems().is_empty());
+}
+
+#[test]
+fn sentences_among_the_notes_can_be_accepted() {
+    let mut conversation = conversation(TEXT);
+    conversation.take(&answer_with_notes(&["She reads at 16:00.", "She reads at 16:00."], &[])).unwrap();
+    let draft = conversation.draft().unwrap();
+    assert_eq!(draft.usable(), [true, true, false, false, false]);
+    let warnings: Vec<String> = draft.warnings().iter().map(ToString::to_string).collect();
+    assert!(warnings[0].contains("under \"assumed\"") && warnings[0].contains("She reads at 16:00."), "{warnings:?}");
+    assert!(draft.table().contains("(under \"assumed\")"), "{}", draft.table());
+    let said = |accepted: &[bool]| conversation.routine(accepted).unwrap().0;
+    assert!(!said(&[true, true, false, false]).contains("\nShe reads"));
+    assert!(
+        said(&[true, true, false, true]).contains("\nShe reads at 16:00.\n"),
+        "{}",
+        said(&[true, true, false, true])
+    );
+}
+
+#[test]
+fn refusals_name_the_lines_of_the_routine_and_their_sources() {
+    let lines = answer(&[
+        line("Margaret gets up at seven.", &["She gets up at 07:00."]),
+        line("After lunch she has a nap.", &["She naps after lunch.", "She gets up at 08:00."]),
+        json!({ "source": "She misses her husband.", "statements": [], "cannot_be_said": ["a feeling"] }),
+    ]);
+    let mut conversation = conversation(TEXT);
+    conversation.take(&lines).unwrap();
+    let second = &conversation.draft().unwrap().lines[1].statements[1];
+    let why = second.refused.as_deref().unwrap();
+    let first = "line 4 (\"She gets up at 07:00.\", of source \"Margaret gets up at seven.\")";
+    assert!(why.contains(first), "{why}");
+    let (routine, _) = conversation.routine(&[true, true, true]).unwrap();
+    let at = |line: usize| routine.lines().nth(line - 1).unwrap();
+    assert_eq!(at(4), "She gets up at 07:00.");
+    assert!(at(second.line as usize).ends_with("She gets up at 08:00."), "{routine}");
 }
 
 #[test]

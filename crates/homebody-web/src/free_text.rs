@@ -198,12 +198,13 @@ fn round_view(round: &ConversationRound) -> RoundView {
 }
 
 fn line_view(line: &DraftLine) -> DraftLineView {
-    let DraftLine { source, is_in_text, statements, assumed, cannot_be_said } = line.clone();
+    let DraftLine { source, is_in_text, statements, mut assumed, cannot_be_said, stands_under } = line.clone();
     let statements = statements.into_iter().map(statement_view).collect();
+    assumed.extend(stands_under.map(|list| format!("that this is a statement: the answer has it under {list:?}")));
     DraftLineView { source, is_in_text, statements, assumed, cannot_be_said }
 }
 
-fn statement_view(DraftStatement { text, refused, meaning, difference }: DraftStatement) -> DraftStatementView {
+fn statement_view(DraftStatement { text, refused, meaning, difference, .. }: DraftStatement) -> DraftStatementView {
     let sentences = meaning.into_iter().map(sentence_view).collect();
     let difference = difference.map(|of| [of.expected, of.lived]);
     DraftStatementView { text, refused, sentences, difference }

@@ -1,6 +1,6 @@
 //! `homebody life from`: nothing is written before it is accepted, and nothing is lost.
 
-use crate::folder::Folder;
+use crate::folder::{Done, Folder};
 use crate::played_server::{PlayedServer, Reply};
 use serde_json::{Value, json};
 
@@ -10,6 +10,14 @@ fn folder() -> Folder {
     let folder = Folder::with("studio");
     folder.write("text.txt", TEXT);
     folder
+}
+
+/// The command has printed a result that lacks something.
+#[track_caller]
+fn lacks(done: Done, said: &str) -> Done {
+    assert_eq!(done.code, Some(2), "{}", done.err);
+    assert!(!done.out.is_empty());
+    done.says(&[said])
 }
 
 fn answer(first: &str) -> String {
@@ -31,7 +39,7 @@ fn an_accepted_answer_is_written_with_its_rounds_and_made_again() {
     let before = folder.read("studio/walter.routine");
     let words = "life from text.txt --home studio --answer answer.txt";
     folder.run(&format!("{words} --yes")).fails(1, "already exists");
-    folder.run(words).fails(2, "no-terminal").says(&["--yes"]);
+    folder.run(words).fails(2, "no-terminal").says(&["--yes", "nothing is written yet"]);
     folder.run(&format!("{words} --json")).ok();
     assert_eq!(folder.read("studio/walter.routine"), before, "nothing is written unasked");
     assert!(!folder.path("studio/walter.rounds.json").exists());
@@ -54,14 +62,31 @@ fn without_a_model_the_prompts_are_printed() {
         assert!(first.out.contains(word), "{word}: {}", first.out);
     }
     folder.write("answer.txt", answer("He gets up sevenish."));
-    let next = folder.run("life from text.txt --home studio --answer answer.txt").ok();
+    let next = lacks(folder.run("life from text.txt --home studio --answer answer.txt"), "not-yet");
     assert!(next.out.contains("\"He gets up sevenish.\" is refused") && next.out.contains("hint: "), "{}", next.out);
-    assert!(next.err.contains("not-yet"), "{}", next.err);
     folder.write("second.txt", answer(RIGHT));
     let words = "life from text.txt --home studio --answer answer.txt --answer second.txt --json";
     let result: Value = serde_json::from_str(&folder.run(words).ok().out).unwrap();
     assert_eq!((&result["rounds"], &result["routine"]), (&2.into(), &Value::Null));
     assert_eq!(result["draft"]["lines"][0]["statements"][0]["text"], RIGHT);
+}
+
+#[test]
+fn a_routine_that_lacks_something_is_written_with_exit_code_2() {
+    let folder = folder();
+    let words = "life from text.txt --home studio --answer answer.txt --yes --force";
+    folder.write("answer.txt", answer("He gets up sevenish."));
+    lacks(folder.run(words), "life-from::incomplete").says(&["refused sentences: 1"]);
+    let routine = folder.read("studio/walter.routine");
+    assert!(routine.contains("\nHe naps after lunch for 40 minutes.\n"), "{routine}");
+    lacks(folder.run(&format!("{words} --json")), "life-from::incomplete");
+    folder.write("answer.txt", answer(RIGHT).replace("a feeling", "He reads at 15:00."));
+    let done = lacks(folder.run(words), "sentences among the notes of the answer: 1").says(&["free-text::misplaced"]);
+    assert!(done.out.contains("(under \"cannot_be_said\")"), "{}", done.out);
+    assert!(!folder.read("studio/walter.routine").contains("\nHe reads"));
+    folder.write("answer.txt", answer("He gets up sevenish.").replace("He naps", "He frobs"));
+    lacks(folder.run(words), "life-from::none-accepted");
+    lacks(folder.run(&words.replace("--yes", "--json")), "life-from::not-all");
 }
 
 #[test]

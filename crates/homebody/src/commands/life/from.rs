@@ -195,7 +195,7 @@ impl LifeFromArguments {
 
     /// By line: whether it is accepted; `None` if nothing is to be written.
     fn accepted(&self, draft: &LifeDraft) -> Result<Option<Vec<bool>>, Failure> {
-        let all = draft.lines.iter().map(|line| line.accepted().next().is_some()).collect();
+        let all = draft.usable();
         if self.json {
             return Ok(self.yes.then_some(all));
         }
@@ -224,11 +224,14 @@ impl LifeFromArguments {
                 "routine": if is_any { Some(&files.routine) } else { None },
             }))?;
         }
+        let lacks = lacks(draft, self.yes || self.json, lost.len());
         if !is_any {
-            if !self.json {
-                tell("no line was accepted, and nothing was written");
-            }
-            return Ok(());
+            return match accepted {
+                // The person who quits or the options ask for no file.
+                None if self.json && lacks.is_empty() => Ok(()),
+                None if self.json => Err(Failure::asked(LifeMessage::NotAll { lacks })),
+                _ => Err(Failure::asked(LifeMessage::NoneAccepted)),
+            };
         }
         lost.into_iter().for_each(|why| warn(LifeMessage::NeedsOther { why }));
         write_file(&files.routine, routine.as_bytes(), self.force)?;
@@ -241,7 +244,10 @@ impl LifeFromArguments {
         if !opened.scenario().residents.iter().any(|resident| is_followed(&resident.file.driver)) {
             warn(LifeMessage::NotDriver { resident: conversation.person(), routine: files.routine.clone() });
         }
-        Ok(())
+        match lacks.is_empty() {
+            true => Ok(()),
+            false => Err(Failure::asked(LifeMessage::Incomplete { lacks, routine: files.routine.clone() })),
+        }
     }
 
     /// Makes a routine again from its rounds: the same answers, checked anew, and the same lines.
@@ -267,8 +273,22 @@ impl LifeFromArguments {
 fn not_yet(conversation: &Conversation) -> Result<(), Failure> {
     print_text(&conversation.prompt())?;
     let (problems, differences) = conversation.latest_faults();
-    warn(LifeMessage::NotYet { problems, differences });
-    Ok(())
+    Err(Failure::asked(LifeMessage::NotYet { problems, differences }))
+}
+
+/// The parts of a text that the routine of the accepted lines does not have, though nobody has rejected them.
+fn lacks(draft: &LifeDraft, is_unseen: bool, lost: usize) -> Vec<String> {
+    let refused = draft.lines.iter().flat_map(|line| &line.statements).filter(|of| of.refused.is_some()).count();
+    let unlooked = if is_unseen { draft.misplaced().count() } else { 0 };
+    let stops = usize::from(draft.run_stops.is_some());
+    let all = [
+        (refused, "refused sentences"),
+        (lost, "sentences that need another one"),
+        (draft.left_out.len(), "sentences of the text that the answer leaves out"),
+        (unlooked, "sentences among the notes of the answer"),
+        (stops, "a run stops"),
+    ];
+    all.into_iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{what}: {count}")).collect()
 }
 
 fn show(draft: &LifeDraft) -> Result<(), Failure> {
