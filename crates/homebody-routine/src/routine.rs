@@ -410,7 +410,7 @@ impl Habit {
     }
 
     /// Whether it replaces a usual habit: the same activity, and after the same one if several differ by that.
-    /// Who needs help with the shower or the laundry does not do it alone on other days.
+    /// Help with the shower or the laundry replaces what the resident does alone, on all days.
     pub(crate) fn stands_for(&self, usual: &Habit) -> bool {
         // A week in hospital does not replace usual outings.
         let is_long = self.when.nights > 0 || self.when.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);

@@ -77,7 +77,7 @@ fn a_brought_meal_is_eaten_when_it_has_come_and_cooked_by_nobody() {
     let eaten: Vec<f64> = brought.firsts("eating_lunch").into_iter().filter(|at| day(*at) >= 14).map(hour).collect();
     let in_time = eaten.iter().filter(|hour| (12.9..13.42).contains(*hour)).count();
     assert!(eaten.len() == 28 && in_time >= 27, "{eaten:.2?}");
-    // What comes before the meal waits for it.
+    // Food that comes before the stated time waits for it.
     let early = lived("She eats lunch at 12:20.\nA volunteer brings her lunch every day at 11:50 for 10 minutes.");
     let in_time = early.firsts("eating_lunch").into_iter().filter(|at| (12.2..12.6).contains(&hour(*at))).count();
     assert!(in_time >= 38 && days(&early, "preparing_lunch").is_empty(), "{in_time}");

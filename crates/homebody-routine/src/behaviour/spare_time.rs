@@ -26,7 +26,7 @@ const FILLERS: [(Activity, f64, f64); 6] = [
     (Activity::UseComputer, 0.095, 14.0),
 ];
 
-/// What fills the spare time of a day in bed.
+/// Fills the spare time of a day in bed.
 const IN_BED: Activity = Activity::Everyday(RESTING_IN_BED);
 
 const TABLE: &str = "filler";
