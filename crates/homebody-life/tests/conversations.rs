@@ -184,7 +184,7 @@ fn sentences_among_the_notes_go_back() {
     {
         assert!(asks.contains(&format!("{sentence:?} of the language stands under {list:?}")), "{asks}");
     }
-    // The length is no sentence, the nap is a statement already, and the other time of getting up contradicts one.
+    // Three notes stay: a fragment, a repetition of a statement, and a contradiction.
     assert_eq!(asks.matches("stands under").count(), 2, "{asks}");
     assert!(conversation.draft().unwrap().problems().is_empty());
 }

@@ -97,7 +97,7 @@ pub fn note(names: &HomeNames, context: Context, tokens: &Tokens) -> SentenceOff
     SentenceOffer { sentences: vec![format!("{NOTE}{rest}")], assumes: false, without: Vec::new() }
 }
 
-/// The words of the sentence as they are in the text.
+/// The sentence without rewritings.
 fn said_as_written(text: &str, tokens: &Tokens) -> Option<String> {
     let span = span_of(&tokens.words);
     text.get(span.start..span.end).map(as_sentence)
@@ -224,7 +224,7 @@ impl Search<'_> {
         (found.len() > 1 && is_read).then_some(found)
     }
 
-    /// The words of a clause as they are in the text.
+    /// The clause without rewritings.
     fn as_written(&self, clause: &[RewritingWord]) -> String {
         let span = clause.iter().filter_map(|piece| piece.span).reduce(TextSpan::to);
         let said = span.and_then(|span| self.context.text.get(span.start..span.end));

@@ -185,8 +185,8 @@ fn slip(names: &HomeNames, doing: &[SentenceWord], spoken: &str) -> Option<Strin
     of_home.map(meant).or_else(|| near().filter(begins_known))
 }
 
-/// The known word that was meant: it has the same first letter, and one letter is wrong, missing, too many or in the wrong place. A word
-/// that a rewriting knows is no slip.
+/// The known word that was meant: it has the same first letter, and one letter is wrong, missing, too many or in the wrong place. Words
+/// of rewritings count as known.
 fn slip_of<'a>(names: &HomeNames, word: &str, mut known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     /// Shortest word that is taken for a slip (our choice): of shorter ones, too many are one letter apart.
     const SHORTEST: usize = 4;

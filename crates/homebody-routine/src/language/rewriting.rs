@@ -206,6 +206,7 @@ impl Fitting<'_> {
                 .and_then(|_| keep(at + 1, None)),
             WordPattern::Capital => piece
                 .filter(|piece| at > 0 && piece.shown.starts_with(char::is_uppercase))
+                .filter(|piece| !piece.counts && !self.lexicon.is_word("months", &piece.text))
                 .and_then(|_| self.end(rest, start, at + 1, kept)),
             WordPattern::Words(words) => {
                 piece.filter(|piece| words.contains(&piece.text)).and_then(|_| self.end(rest, start, at + 1, kept))
