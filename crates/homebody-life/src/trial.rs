@@ -206,9 +206,12 @@ fn naming(problem: &str, statements: &[PlacedStatement]) -> String {
 /// The reason why a text is no statement, whatever the language says: it could be a comment, or it could hide something.
 fn misshapen(statement: &str) -> Option<String> {
     let note = |text: &str| text.get(..5).is_some_and(|start| start.eq_ignore_ascii_case("note:"));
+    let is_heading = |(at, _): (usize, &str)| !statement[at + 1..].starts_with(|c: char| c.is_ascii_digit());
     let why = match statement {
         _ if statement.chars().any(is_unseen) => "it has an invisible character",
         _ if statement.contains('#') || note(statement) => "it is a comment",
+        // "Language: German" is one, too.
+        _ if statement.match_indices(':').any(is_heading) => "it is a heading; hint: write one whole sentence",
         _ if statement.chars().count() > LONGEST_ENTRY => "it is too long; hint: write one deed a sentence",
         _ if !statement.chars().any(char::is_alphabetic) => "it has no words",
         _ => return None,

@@ -131,7 +131,14 @@ fn only_statements_come_out() {
     let hostile = answer(&[
         line(
             "She naps.",
-            &["She naps at 14:00 for 30 minutes.\n# rm -rf /", "# rm -rf /", "Note: rm -rf /", "rm -rf /"],
+            &[
+                "She naps at 14:00 for 30 minutes.\n# rm -rf /",
+                "# rm -rf /",
+                "Note: rm -rf /",
+                "rm -rf /",
+                "Language: German",
+                "Every day:",
+            ],
         ),
         json!({
             "source": "She naps.\nShe drinks wine at 10:00.",
@@ -146,7 +153,7 @@ fn only_statements_come_out() {
     conversation.take(&hostile).unwrap();
     let draft = conversation.draft().unwrap();
     let refused = draft.lines.iter().flat_map(|line| &line.statements).filter(|it| it.refused.is_some()).count();
-    assert_eq!(refused, 6, "{draft:#?}");
+    assert_eq!(refused, 8, "{draft:#?}");
     assert!(!draft.lines[3].is_in_text);
     let (routine, _) = conversation.routine(&[true; 4]).unwrap();
     let sentences: Vec<&str> = routine.lines().filter(|line| !line.starts_with('#') && !line.is_empty()).collect();
@@ -177,7 +184,7 @@ fn sentences_among_the_notes_go_back() {
     {
         assert!(asks.contains(&format!("{sentence:?} of the language stands under {list:?}")), "{asks}");
     }
-    // Left out: the length, which is not a sentence, the nap, which is a statement already, and the contradicting time.
+    // Three notes stay: a fragment, a repetition of a statement, and a contradiction.
     assert_eq!(asks.matches("stands under").count(), 2, "{asks}");
     assert!(conversation.draft().unwrap().problems().is_empty());
 }

@@ -180,7 +180,9 @@ impl Builder<'_> {
         } else {
             &[SlotKind::Part, SlotKind::Place]
         };
-        self.only(&clause.parts, allowed, "a sleeping place holds for all nights; for sleep by day, write \"naps\"");
+        let why = "a sleeping place holds for all nights; for some nights, write the bedtime with them, \
+                   \"until day 52 she goes to bed in the armchair at 22:30\", and for sleep by day \"naps\"";
+        self.only(&clause.parts, allowed, why);
         let parts = Parts { place: clause.parts.place.clone(), ..Parts::default() };
         self.habit(Clause { verb: act(Activity::GoToBed), parts, ..clause });
     }
@@ -196,6 +198,9 @@ impl Builder<'_> {
             .take()
             .filter(|_| clause.parts.when.is_none() && clause.parts.lasts.is_none() && part_fits);
         let Some(until) = until else {
+            if clause.parts.place.is_some() && !is_up {
+                return self.sleeps(clause);
+            }
             let span = clause.verb_span;
             if self.said(span).ends_with("in bed") && !clause.parts.says_time() {
                 // All day.

@@ -101,9 +101,27 @@ pub fn rule_sentence(rule: &RoutineRule) -> String {
 fn front(when: &When) -> Vec<String> {
     let mut words = phase_words(&when.phase);
     words.extend(days_words(&when.days));
-    words.extend(chance_words(&when.chance));
+    // A rate is of all days: on some days, it would be another share.
+    let rate = Some(&when.chance).filter(|_| when.days == DaySelection::ALL).and_then(rate_words);
+    words.extend(rate.or_else(|| chance_words(&when.chance)));
     words
 }
+
+/// "once a month", where a share would have many digits.
+fn rate_words(chance: &HabitChance) -> Option<String> {
+    let often = |days: f64| {
+        let times = (chance.probability * days).round();
+        ((1.0..=MOST_TIMES).contains(&times) && times / days == chance.probability).then_some(times as u32)
+    };
+    let is_plain = chance.days_a_week.is_none() && chance.becomes.is_none();
+    let found = PERIODS.iter().find_map(|(name, days)| Some((name, often(*days)?))).filter(|_| is_plain);
+    found.map(|(name, times)| format!("{} a {name}", count(times)))
+}
+
+/// The periods of rates, with their days on average, as the grammar has them.
+const PERIODS: [(&str, f64); 2] = [("month", 30.4375), ("year", 365.25)];
+/// Most times of a rate (our choice).
+const MOST_TIMES: f64 = 20.0;
 
 fn phase_words(phase: &Phase) -> Vec<String> {
     let days = |days: f64| format!("{} days", number(days));
@@ -135,7 +153,7 @@ pub const MONTHS: [&str; 12] = [
 ];
 const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
 
-fn days_words(days: &DaySelection) -> Vec<String> {
+pub fn days_words(days: &DaySelection) -> Vec<String> {
     let names = |bits: u16, names: &[&str]| {
         let set = names.iter().enumerate().filter(|(i, _)| bits & 1 << i != 0).map(|(_, name)| *name);
         list(&set.collect::<Vec<_>>())
@@ -243,15 +261,24 @@ fn time_words(time: &HabitTime) -> Option<String> {
     }
 }
 
-/// "on 30 % of days"; "one day in three", as a percentage would not give the same number again.
+/// Most days in "on 2 of 7 days" (our choice): a year.
+const MOST_DAYS_OF_SHARE: u32 = 366;
+
+/// "on 30 % of days"; "on 1 of 14 days", if a percentage would need many digits.
 fn share_words(share: f64, of: &str) -> String {
     let percent = (share * 100.0).round();
+    let of_days = |days: u32| {
+        let some = (share * f64::from(days)).round();
+        (some >= 1.0 && some / f64::from(days) == share).then(|| format!("on {} of {days} {of}", number(some)))
+    };
     // A share such as 0.07 is 7.000000000000001 % in binary.
-    match share {
-        _ if percent / 100.0 == share => format!("on {} % of {of}", number(percent)),
-        share if share == 1.0 / 3.0 && of == "days" => "one day in three".to_owned(),
-        share => format!("on {} % of {of}", number(share * 100.0)),
+    if percent / 100.0 == share {
+        return format!("on {} % of {of}", number(percent));
     }
+    let is_long = number(share * 100.0).len() > "12.25".len();
+    let counted =
+        Some(of).filter(|of| is_long && *of == "days").and_then(|_| (2..=MOST_DAYS_OF_SHARE).find_map(of_days));
+    counted.unwrap_or_else(|| format!("on {} % of {of}", number(share * 100.0)))
 }
 
 /// The words of a visitor: a name, or the relation to the resident.

@@ -2,6 +2,7 @@
 
 use super::activities::phrase;
 use super::calendar::days_between;
+use super::canonical::days_words;
 use super::draft::RoutineDraft;
 use super::faults::Faults;
 use super::messages::{CheckMessage, WordMessage};
@@ -80,8 +81,35 @@ fn twice_a_day(draft: &RoutineDraft, faults: &mut Faults) {
             let other = list[..later].iter().find(|(_, other)| share_days(draft, habit, other) && both(other));
             if let Some((_, other)) = other {
                 let (activity, other_line) = (phrase(&activity).to_string(), other.said.line);
-                faults.add(draft.habit_spans[*index], CheckMessage::TwoTimes { activity, other_line });
+                let help = apart(habit, other);
+                faults.add(draft.habit_spans[*index], CheckMessage::TwoTimes { activity, other_line, help });
             }
+        }
+    }
+}
+
+/// How to write two sentences so that they share no day. One that holds for a time or on few days is an exception of the other.
+fn apart(habit: &Habit, other: &Habit) -> String {
+    let is_always = |habit: &Habit| habit.when.phase.from.is_none() && habit.when.phase.until.is_none();
+    let (exception, usual) = if is_always(habit) && !is_always(other) { (other, habit) } else { (habit, other) };
+    let line = usual.said.line;
+    let begins = exception.when.phase.from.filter(|_| is_always(usual)).map(String::from);
+    let ends = exception.when.phase.until.filter(|_| is_always(usual)).map(String::from);
+    let rest = usual.when.days.weekdays & !exception.when.days.weekdays;
+    match (begins, ends) {
+        (Some(from), Some(until)) => {
+            format!(
+                "write the sentence of line {line} twice, once with \"until {from}\" and once with \"from {until}\""
+            )
+        }
+        (Some(from), None) => format!("add \"until {from}\" to the sentence of line {line}"),
+        (None, Some(until)) => format!("add \"from {until}\" to the sentence of line {line}"),
+        (None, None) if rest != 0 => {
+            let days = days_words(&DaySelection { weekdays: rest, ..usual.when.days }).join(", ");
+            format!("add {days:?} to the sentence of line {line}")
+        }
+        (None, None) => {
+            "write on which days each sentence holds: \"on weekdays\", \"at weekends\", \"until day 100\"".to_owned()
         }
     }
 }

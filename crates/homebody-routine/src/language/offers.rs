@@ -13,17 +13,20 @@ use super::words::{self, SentenceWord, TextSpan, Token};
 use homebody_core::problem::Diagnostic;
 
 /// Largest number of sentences that are tried for a refusal (our choice).
-const MOST_TRIES: usize = 24;
+const MOST_TRIES: usize = 32;
 /// Steps that the reading of one of them takes (our choice).
 const MOST_STEPS_OF_TRY: usize = 12_000;
 /// Steps that all of them take (our choice), which bounds the time.
-const MOST_STEPS_OF_ALL: usize = 40_000;
+const MOST_STEPS_OF_ALL: usize = 60_000;
 /// Steps that giving the words of one to a chart counts as, by its time (our choice).
 const STEPS_OF_WORDS: usize = 2_000;
 /// Largest number of rewritings of a sentence (our choice).
-const MOST_REWRITINGS: usize = 12;
+const MOST_REWRITINGS: usize = 16;
 /// Of so many words, at most one is left out (our choice).
 const LEAST_SHARE_KEPT: usize = 3;
+
+/// Within so many words, a clause of its own has its subject (our choice).
+const OWN_SUBJECT: usize = 3;
 
 /// Sentences that together say what the refused one says.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +34,8 @@ pub struct SentenceOffer {
     pub sentences: Vec<String>,
     /// Whether a number in them is an example.
     pub assumes: bool,
+    /// The words that they leave out.
+    pub without: Vec<String>,
 }
 
 impl SentenceOffer {
@@ -39,15 +44,18 @@ impl SentenceOffer {
         let (notes, read): (Vec<&String>, Vec<&String>) =
             self.sentences.iter().partition(|sentence| sentence.starts_with(NOTE));
         if let ([_, ..], [_, ..]) = (&notes[..], &read[..]) {
-            let read = SentenceOffer { sentences: read.into_iter().cloned().collect(), assumes: self.assumes };
+            let read = SentenceOffer { sentences: read.into_iter().cloned().collect(), ..self.clone() };
             let notes: Vec<String> = notes.into_iter().map(|note| format!("{note:?}")).collect();
             return format!("{}, and on a line of its own {}", read.words(), notes.join(", "));
         }
         let said = self.sentences.join(" ");
+        let without: Vec<String> = self.without.iter().map(|words| format!("{words:?}")).collect();
+        let without =
+            if without.is_empty() { String::new() } else { format!(", which leaves out {}", without.join(" and ")) };
         match (self.sentences[0].starts_with(NOTE), self.assumes) {
             (true, _) if self.sentences.len() == 1 => format!("to keep it without an effect, write {said:?}"),
-            (_, true) => format!("write, with the right times, {said:?}"),
-            (_, false) => format!("write {said:?}"),
+            (_, true) => format!("write, with the right times, {said:?}{without}"),
+            (_, false) => format!("write {said:?}{without}"),
         }
     }
 }
@@ -63,6 +71,7 @@ struct Search<'a> {
     steps: usize,
     who: String,
     assumes: bool,
+    without: Vec<String>,
 }
 
 /// Sentences for a refused one.
@@ -73,35 +82,52 @@ pub fn offer(names: &HomeNames, context: Context, tokens: &Tokens) -> (Option<Se
     let lexicon = &names.lexicon;
     let is_he = said.iter().any(|piece| lexicon.is_word("he", &piece.text));
     let who = lexicon.words_of(if is_he { "he-says" } else { "she" }).next().unwrap_or_default().to_owned();
-    let mut search = Search { names, context, tries: MOST_TRIES, steps: 0, who, assumes };
+    let mut search = Search { names, context, tries: MOST_TRIES, steps: 0, who, assumes, without: Vec::new() };
     let sentences = search.whole(&meant).map(|one| vec![one]).or_else(|| search.clauses(&meant));
     let same = sentence_of(&said);
     let sentences = sentences.filter(|sentences| sentences[..] != [same.as_str()]);
-    (sentences.map(|sentences| SentenceOffer { sentences, assumes: search.assumes }), search.steps)
+    let Search { assumes, without, steps, .. } = search;
+    (sentences.map(|sentences| SentenceOffer { sentences, assumes, without }), steps)
 }
 
 /// The refused sentence as one that is kept without an effect.
 pub fn note(names: &HomeNames, context: Context, tokens: &Tokens) -> SentenceOffer {
-    let rest = sentence_of(&pieces(names, context.text, tokens));
-    SentenceOffer { sentences: vec![format!("{NOTE}{rest}")], assumes: false }
+    let rest =
+        said_as_written(context.text, tokens).unwrap_or_else(|| sentence_of(&pieces(names, context.text, tokens)));
+    SentenceOffer { sentences: vec![format!("{NOTE}{rest}")], assumes: false, without: Vec::new() }
+}
+
+/// The sentence without rewritings.
+fn said_as_written(text: &str, tokens: &Tokens) -> Option<String> {
+    let span = span_of(&tokens.words);
+    text.get(span.start..span.end).map(as_sentence)
+}
+
+fn as_sentence(said: &str) -> String {
+    let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    let capital: String = said.chars().take(1).flat_map(char::to_uppercase).collect();
+    let rest: String = said.chars().skip(1).collect();
+    format!("{capital}{rest}.")
 }
 
 fn pieces(names: &HomeNames, text: &str, tokens: &Tokens) -> Vec<RewritingWord> {
     let piece = |(at, word): (usize, &SentenceWord)| {
         let shown = text.get(word.span.start..word.span.end).filter(|shown| shown.to_lowercase() == word.text);
-        let counts =
-            word.token != Token::Word || denies(&names.lexicon, &word.text) || is_time(&names.lexicon, &word.text);
+        let lexicon = &names.lexicon;
+        let counts = word.token != Token::Word
+            || denies(lexicon, &word.text)
+            || is_time(lexicon, &word.text)
+            || lexicon.is_word("hours", &word.text);
         let shown = shown.unwrap_or(&word.text).to_owned();
-        RewritingWord { text: word.text.clone(), shown, comma: tokens.commas[at], counts }
+        RewritingWord { text: word.text.clone(), shown, comma: tokens.commas[at], counts, span: Some(word.span) }
     };
     tokens.words.iter().enumerate().map(piece).collect()
 }
 
 fn rewritten(lexicon: &LexiconWords, mut pieces: Vec<RewritingWord>) -> (Vec<RewritingWord>, bool) {
-    let joins = |word: &str| lexicon.is_word("joins", word);
     let (mut assumes, mut left) = (false, MOST_REWRITINGS);
     for rewriting in &lexicon.rewritings {
-        while let Some(meant) = rewriting.apply(&pieces, &joins).filter(|meant| left > 0 && *meant != pieces) {
+        while let Some(meant) = rewriting.apply(&pieces, lexicon).filter(|meant| left > 0 && *meant != pieces) {
             (pieces, left) = (meant, left - 1);
             assumes |= rewriting.assumes;
         }
@@ -118,8 +144,13 @@ impl Search<'_> {
     fn one(&mut self, pieces: &[RewritingWord], front: &[RewritingWord]) -> Option<String> {
         let without_commas: Vec<RewritingWord> =
             pieces.iter().map(|piece| RewritingWord { comma: false, ..piece.clone() }).collect();
-        let who =
-            [RewritingWord { text: self.who.to_lowercase(), shown: self.who.clone(), comma: false, counts: false }];
+        let who = [RewritingWord {
+            text: self.who.to_lowercase(),
+            shown: self.who.clone(),
+            comma: false,
+            counts: false,
+            span: None,
+        }];
         let has_commas = pieces.iter().any(|piece| piece.comma);
         for pieces in [pieces, &without_commas].into_iter().take(1 + usize::from(has_commas)) {
             // Behind a subject, a word that began the sentence has a small letter.
@@ -167,6 +198,7 @@ impl Search<'_> {
                         shown: self.who.clone(),
                         comma: false,
                         counts: false,
+                        span: None,
                     };
                     self.read(&[front, &[who, verb], clause].concat())
                 })?;
@@ -179,10 +211,10 @@ impl Search<'_> {
                 None => {
                     let end = breaks.iter().copied().find(|end| *end > start).unwrap_or(pieces.len());
                     let clause = &pieces[start..end];
-                    if clause.iter().any(|piece| piece.counts && !denies(lexicon, &piece.text)) {
+                    if !stands_alone(lexicon, clause) {
                         return None;
                     }
-                    (end, format!("{NOTE}{}", sentence_of(&pieces[start..end])))
+                    (end, format!("{NOTE}{}", self.as_written(clause)))
                 }
             };
             found.push(sentence);
@@ -190,6 +222,13 @@ impl Search<'_> {
         }
         let is_read = found.iter().any(|sentence| !sentence.starts_with(NOTE));
         (found.len() > 1 && is_read).then_some(found)
+    }
+
+    /// The clause without rewritings.
+    fn as_written(&self, clause: &[RewritingWord]) -> String {
+        let span = clause.iter().filter_map(|piece| piece.span).reduce(TextSpan::to);
+        let said = span.and_then(|span| self.context.text.get(span.start..span.end));
+        said.map_or_else(|| sentence_of(clause), as_sentence)
     }
 
     /// The sentence, if it is read, if need be without words that change nothing.
@@ -214,18 +253,35 @@ impl Search<'_> {
             let faults: Vec<_> = item.faults.iter().flat_map(|faults| faults.iter()).chain(&built.faults).collect();
             let is_open = |fault: &Diagnostic| fault.code == AMBIGUOUS_TIME;
             if let [(span, _), ..] = faults[..] {
-                let closed = faults.iter().all(|(_, fault)| is_open(fault)).then(|| closed(&text, *span))?;
+                if !faults.iter().all(|(_, fault)| is_open(fault)) {
+                    continue;
+                }
+                let closed = closed(&text, *span);
                 self.assumes = true;
                 let words = words::of_name(&closed);
                 let tokens = Tokens::new(&words);
                 return self.read(&pieces(self.names, &closed, &tokens));
             }
             if let Some(kept) = kept(self.names, &text, &tokens, &chart, item.skipped) {
+                self.without.extend(left_out_words(self.names, &text, &tokens, item.skipped));
                 return Some(kept);
             }
         }
         None
     }
+}
+
+/// Whether a clause says something of its own, or nothing that counts: without it, the others still say what they say.
+fn stands_alone(lexicon: &LexiconWords, clause: &[RewritingWord]) -> bool {
+    let is = |list: &str, piece: &RewritingWord| lexicon.is_word(list, &piece.text);
+    let [first, rest @ ..] = clause else { return true };
+    let is_denied_verb = first.text == "never" && !rest.iter().any(|piece| piece.counts);
+    let is_verb = first.text.ends_with('s') && !first.counts && !is("adverbs", first) && rest.len() > 1;
+    let has_subject = is("determiners", first)
+        || !first.counts && first.shown.starts_with(char::is_uppercase)
+        || clause.iter().take(OWN_SUBJECT).any(|piece| is("other-subjects", piece));
+    let depends = clause.iter().any(|piece| piece.counts || is("conditions", piece));
+    !depends || is_denied_verb || is_verb || has_subject && !is("prepositions", first)
 }
 
 /// Hours that are of the morning where a time leaves the half of the day open: mornings begin at seven (our choice).
@@ -260,12 +316,39 @@ pub fn kept(names: &HomeNames, text: &str, tokens: &Tokens, chart: &Chart, skipp
         if skipped & 1 << at == 0 {
             let shown = text.get(word.span.start..word.span.end).filter(|shown| shown.to_lowercase() == word.text);
             let shown = shown.unwrap_or(&word.text).to_owned();
-            pieces.push(RewritingWord { text: word.text.clone(), shown, comma: tokens.commas[at], counts: false });
+            pieces.push(RewritingWord {
+                text: word.text.clone(),
+                shown,
+                comma: tokens.commas[at],
+                counts: false,
+                span: None,
+            });
         } else if matters(names, text, &tokens.words, at) {
             return None;
         }
     }
     Some(sentence_of(&pieces))
+}
+
+/// The words left out, as far as they say something.
+fn left_out_words(names: &HomeNames, text: &str, tokens: &Tokens, skipped: u64) -> Vec<String> {
+    let lexicon = &names.lexicon;
+    let is_out = |at: &usize| skipped & 1 << *at != 0;
+    let says = |word: &SentenceWord| {
+        !lexicon.grammar.is_closed(&word.text)
+            && !["determiners", "prepositions", "joins"].iter().any(|list| lexicon.is_word(list, &word.text))
+    };
+    let (mut runs, mut at) = (Vec::new(), 0);
+    while at < tokens.words.len() {
+        let length = (at..tokens.words.len()).take_while(is_out).count();
+        let words = &tokens.words[at..at + length];
+        if words.iter().any(says) {
+            let span = span_of(words);
+            runs.extend(text.get(span.start..span.end).map(str::to_owned));
+        }
+        at += length.max(1);
+    }
+    runs
 }
 
 fn sentence_of(pieces: &[RewritingWord]) -> String {
@@ -276,9 +359,7 @@ fn sentence_of(pieces: &[RewritingWord]) -> String {
         }
         text += &piece.shown;
     }
-    let capital: String = text.chars().take(1).flat_map(char::to_uppercase).collect();
-    let rest: String = text.chars().skip(1).collect();
-    format!("{capital}{rest}.")
+    as_sentence(&text)
 }
 
 pub fn denies(lexicon: &LexiconWords, word: &str) -> bool {
@@ -310,7 +391,13 @@ fn matters(names: &HomeNames, text: &str, words: &[SentenceWord], at: usize) -> 
     };
     let is_word_of_grammar =
         grammar.is_closed(said) && !lexicon.is_word("determiners", said) && !lexicon.is_word("prepositions", said);
+    // Behind "to", a word that is neither a place nor a person is done for a purpose, if it is not what is done.
+    let is_purpose =
+        at > 0 && words[at - 1].text == "to" && !lexicon.is_word("determiners", said) && !names.is_word(said);
     word.token != Token::Word
+        || is_purpose
+        || lexicon.is_word("other-persons", said)
+        || lexicon.is_word("months", said)
         || is_time(lexicon, said)
         || denies(lexicon, said)
         || is_capital

@@ -11,8 +11,8 @@ use super::statement::statements;
 use super::tokens::{Tokens, span_of};
 use super::words::{SentenceWord, TextSpan, Token};
 use crate::routine::Routine;
-use homebody_core::nearest::nearest;
 use homebody_core::problem::{Advice, Diagnostic};
+use std::collections::BTreeSet;
 
 /// Largest number of sentences that a refusal offers (our choice).
 const MOST_OFFERS: usize = 3;
@@ -47,7 +47,10 @@ pub fn left_out(
         (0..tokens.words.len()).find(|at| first & 1 << at != 0 && denies(&names.lexicon, &tokens.words[*at].text))
     {
         let span = span_of(&tokens.words[denial..]);
-        let ends = ["not", "no", "never", "stops"].contains(&tokens.words[denial].text.as_str());
+        let is_new =
+            |word: &SentenceWord| word.token == Token::Word && names.lexicon.grammar.known_word(&word.text).is_none();
+        let ends = ["not", "no", "never", "stops"].contains(&tokens.words[denial].text.as_str())
+            && tokens.words.iter().skip(denial + 1).take(2).any(is_new);
         let help = "to end a new activity, write until when it happens: \"until week 12 she whittles in the armchair for 1 hour\"";
         let text = said(context.text, span);
         return vec![(span, WordMessage::NotUnderstood { text, help: ends.then(|| help.into()) }.into())];
@@ -82,7 +85,7 @@ fn uncovered(names: &HomeNames, context: Context, words: &[SentenceWord], offers
         [word]
             if word.text.starts_with(char::is_alphabetic) && names.lexicon.grammar.known_word(&word.text).is_none() =>
         {
-            nearest(&word.text, names.lexicon.grammar.all_words())
+            slip_of(names, &word.text, names.lexicon.grammar.all_words())
         }
         _ => None,
     };
@@ -176,10 +179,36 @@ fn slip(names: &HomeNames, doing: &[SentenceWord], spoken: &str) -> Option<Strin
     let slip = doing.iter().find(|word| word.token == Token::Word && !is_known(&word.text));
     let slip = slip.filter(|_| doing.len() <= MOST_NEAR)?;
     let meant = |near: &str| spoken.replace(&slip.text, near);
-    let of_home = nearest(&slip.text, names.of(&[Sort::Place, Sort::Room, Sort::Thing, Sort::Condition]));
+    let of_home = slip_of(names, &slip.text, names.of(&[Sort::Place, Sort::Room, Sort::Thing, Sort::Condition]));
     let begins_known = |said: &String| all_phrases().iter().any(|phrase| said.starts_with(phrase.as_str()));
-    let near = || nearest(&slip.text, lexicon.grammar.all_words().filter(|word| word.len() > 3)).map(meant);
+    let near = || slip_of(names, &slip.text, lexicon.grammar.all_words().filter(|word| word.len() > 3)).map(meant);
     of_home.map(meant).or_else(|| near().filter(begins_known))
+}
+
+/// The known word that was meant: it has the same first letter, and one letter is wrong, missing, too many or in the wrong place. Words
+/// of rewritings count as known.
+fn slip_of<'a>(names: &HomeNames, word: &str, mut known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    /// Shortest word that is taken for a slip (our choice): of shorter ones, too many are one letter apart.
+    const SHORTEST: usize = 4;
+    let is_own = word.chars().count() < SHORTEST || names.lexicon.rewritings.iter().any(|one| one.has(word));
+    let near = |known: &&str| known.chars().next() == word.chars().next() && is_slip(known, word);
+    if is_own { None } else { known.find(near) }
+}
+
+/// Whether two different words have one letter more, less or other, or two neighbours in the other order.
+fn is_slip(one: &str, other: &str) -> bool {
+    let (one, other): (Vec<char>, Vec<char>) = (one.chars().collect(), other.chars().collect());
+    let front = one.iter().zip(&other).take_while(|(a, b)| a == b).count();
+    let (one, other) = (&one[front..], &other[front..]);
+    match (one, other) {
+        ([], [_]) | ([_], []) => true,
+        ([a, rest @ ..], [b, others @ ..]) => {
+            let is_turned =
+                matches!((rest, others), ([c, rest @ ..], [d, others @ ..]) if a == d && b == c && rest == others);
+            rest == others || rest == other || one == others || is_turned
+        }
+        _ => false,
+    }
 }
 
 /// A hint that names what the sentence lacks.
@@ -189,15 +218,22 @@ fn help_for(names: &HomeNames, doing: &[SentenceWord], spoken: &str, can_be_new:
     if ["goes", "walks", "drives", "visits"].contains(&verb) {
         return Some("for what is outside, write \"she goes out at 10:00 for 2 hours\"".into());
     }
-    // "Has", "is" and the like begin phrases that have nothing in common.
+    // Phrases that begin with the same verb help if they have another word of the sentence.
     let begins = format!("{verb} ");
-    let known = all_phrases().iter().filter(|phrase| phrase.starts_with(&begins));
-    let quoted: Vec<String> = known.take(FEW).map(|phrase| format!("{phrase:?}")).collect();
+    let has = |phrase: &str| phrase.split(' ').skip(1).any(|word| doing[1..].iter().any(|said| said.text == word));
+    let known: BTreeSet<&str> =
+        all_phrases().iter().map(String::as_str).filter(|phrase| phrase.starts_with(&begins) && has(phrase)).collect();
+    let quoted: Vec<String> = known.into_iter().take(FEW).map(|phrase| format!("{phrase:?}")).collect();
     if !quoted.is_empty() && !names.lexicon.is_word("light", verb) {
-        return Some(format!("known activities are {}, ...", quoted.join(", ")).into());
+        return Some(format!("known activities are {}", quoted.join(", ")).into());
     }
     // A new activity is neither denied nor nearly a known word.
-    if !can_be_new || doing.iter().any(|word| denies(&names.lexicon, &word.text)) {
+    let is_part = doing.last().is_some_and(|last| {
+        names.lexicon.grammar.is_closed(&last.text) || names.lexicon.is_word("determiners", &last.text)
+    });
+    let is_known = ["light", "no-deeds"].iter().any(|list| names.lexicon.is_word(list, verb))
+        || names.lexicon.rewritings.iter().any(|one| one.has(verb));
+    if !can_be_new || is_known || is_part || doing.iter().any(|word| denies(&names.lexicon, &word.text)) {
         return None;
     }
     Some(format!("a new activity needs a place and a duration: \"she {spoken} in the armchair for 20 minutes\"").into())

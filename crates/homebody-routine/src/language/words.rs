@@ -292,8 +292,17 @@ impl Lexer<'_> {
         false
     }
 
-    /// "She's" is "she is", and "he'll" is "he will".
+    /// "She's" is "she is", and "he'll" is "he will"; "she's had" is "she has had".
     fn part_contraction(&mut self) {
+        const HAD: [&str; 10] =
+            ["had", "been", "got", "stopped", "started", "become", "begun", "lost", "taken", "given"];
+        if let [.., who, is, had] = &mut self.words[..]
+            && is.text == "is"
+            && is.span == who.span
+            && HAD.contains(&had.text.as_str())
+        {
+            is.text = "has".to_owned();
+        }
         const WHO: [&str; 12] = ["she", "he", "it", "they", "we", "i", "that", "there", "who", "mum", "dad", "you"];
         let Some(word) = self.words.last_mut() else { return };
         let Some((who, rest)) = word.text.split_once('\'').filter(|(who, _)| WHO.contains(who)) else { return };
@@ -364,6 +373,12 @@ mod tests {
         );
         assert_eq!(texts("at 8 p.m. on Friday"), [vec!["at", "8", "pm", "on", "friday"]]);
         assert_eq!(texts("at 8 p.m. She reads"), [vec!["at", "8", "pm"], vec!["she", "reads"]]);
+    }
+
+    #[test]
+    fn contractions_are_parted() {
+        assert_eq!(texts("She's had a nap"), [["she", "has", "had", "a", "nap"]]);
+        assert_eq!(texts("She's out, and he'll go"), [["she", "is", "out", ",", "and", "he", "will", "go"]]);
     }
 
     #[test]

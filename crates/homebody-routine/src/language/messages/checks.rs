@@ -9,8 +9,10 @@ homebody_core::messages! {
             activity: String,
             /// The line of the other sentence.
             other_line: u32,
+            /// The hint.
+            help: String,
         } error "two-times" ("the person {activity} twice on the same day: line {other_line} has another time")
-            hint ("write on which days each sentence holds: \"on weekdays\", \"at weekends\", \"until day 100\"");
+            hint ("{help}");
         /// Two sentences say the opposite of each other for the same days.
         Contradiction {
             /// The line of the other sentence.

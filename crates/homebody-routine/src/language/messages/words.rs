@@ -34,6 +34,12 @@ homebody_core::messages! {
             help: Option<Advice>,
         } error "not-understood" ("cannot read {text:?} here")
             advice (help.clone());
+        /// Only a thing of the home can be on during an activity. Lamps belong to their rooms; a television or a radio is a piece of furniture.
+        NoThing {
+            /// The thing.
+            thing: String,
+        } error "no-thing" ("this home has no {thing}")
+            hint ("add a piece of furniture with the name {thing:?} to \"furniture\" in home.json, or leave these words out");
         /// Visitors are people with a relation or a profession, so that the routine says who comes.
         UnknownVisitor {
             /// The name.

@@ -5,7 +5,7 @@ use super::days::as_kind;
 use super::numbers::{as_range, duration};
 use super::times::{as_part, as_parts};
 use crate::language::amounts::ABOUT_PACE_SHARE;
-use crate::language::messages::{SentenceMessage, TimeSentenceMessage};
+use crate::language::messages::{SentenceMessage, TimeSentenceMessage, WordMessage};
 use crate::language::parts::Parts;
 use crate::language::productions::measures::FASTEST_MPS;
 use crate::language::value::{Act, PhraseValue, Range, SentenceSubject, Verb};
@@ -181,6 +181,11 @@ pub fn named(name: &str) -> Option<Production> {
             parts(Parts { place: a.slot(name), ..Parts::default() })
         },
         "meanwhile_on" => |a| parts(Parts { thing_on: a.slot(a.name()?), ..Parts::default() }),
+        "no_thing" => |a| {
+            let thing = a.words.iter().find(|word| a.has(&word.text))?.text.clone();
+            a.fault(a.span, WordMessage::NoThing { thing });
+            parts(Parts::default())
+        },
         "before_screen" => |a| {
             let name = a.name().filter(|name| Role::Television.is_called(&name.to_lowercase()))?;
             parts(Parts { thing_on: a.slot(name), ..Parts::default() })

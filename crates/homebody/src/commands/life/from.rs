@@ -276,7 +276,7 @@ fn not_yet(conversation: &Conversation) -> Result<(), Failure> {
     Err(Failure::asked(LifeMessage::NotYet { problems, differences }))
 }
 
-/// The parts of a text that the routine of the accepted lines lacks without a rejection.
+/// Counts of what the routine lacks without a decision of a person.
 fn lacks(draft: &LifeDraft, is_unseen: bool, lost: usize) -> Vec<String> {
     let refused = draft.lines.iter().flat_map(|line| &line.statements).filter(|of| of.refused.is_some()).count();
     let unlooked = if is_unseen { draft.misplaced().count() } else { 0 };

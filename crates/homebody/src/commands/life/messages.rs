@@ -27,7 +27,7 @@ homebody_core::messages! {
             hint ("give the problems back to the assistant (the same command without --json prints the prompt), or write with --yes what is understood");
         /// A routine needs at least one accepted line.
         NoneAccepted error "none-accepted" ("no line was accepted, and nothing was written")
-            hint ("run the same command again to accept lines; the answers of an assistant can be given with --answer");
+            hint ("choose a larger model (--model-name) or correct its answer (--answer); without --yes, accept lines in a terminal");
         /// The statement needs another one that was not accepted, so it is a comment in the routine.
         NeedsOther { why: String } warning "needs-other" ("not in the routine: {why}")
             hint ("accept the line that it needs, too, or write the sentence anew");
