@@ -348,7 +348,8 @@ impl DrawnHabit {
         let (is_late, is_short) = (at.low >= 960.0, self.length.is_some());
         self.besides = match draw.below(8) {
             0 => DrawnDetail::Key,
-            1 if is_late && self.until.is_none() => DrawnDetail::Overnight,
+            // A stay of a night needs days on which it begins.
+            1 if is_late && self.until.is_none() && self.when.days != DrawnDays::All => DrawnDetail::Overnight,
             2 if is_short => DrawnDetail::Work(" and does the housework", HOUSEWORK),
             3 if is_short => DrawnDetail::Help(" and helps her wash", WASHING),
             _ => DrawnDetail::Nothing,

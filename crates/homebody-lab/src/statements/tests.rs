@@ -101,10 +101,12 @@ fn a_detail_holds_only_where_it_is_stated() {
         time: DrawnTime::At { words: " at 15:00".to_owned(), at: Fuzzy::around(900.0, 5.0) },
         ..prays()
     };
+    let when = DrawnWhen { days: super::days::DrawnDays::Weekdays(0x10), ..DrawnWhen::ALWAYS };
+    let on_fridays = DrawnHabit { when, ..visits(1020.0, " at 17:00") };
     let morning = || visits(600.0, " at 10:00 for 1 hour");
     for (plain, besides, field) in [
         (morning(), DrawnDetail::Key, "key"),
-        (visits(1020.0, " at 17:00"), DrawnDetail::Overnight, "night"),
+        (on_fridays, DrawnDetail::Overnight, "night"),
         (morning(), DrawnDetail::Work(" and does the housework", "housework"), "work"),
         (morning(), DrawnDetail::Help(" and helps her wash", "washing"), "help"),
         (pastime, DrawnDetail::Meanwhile(" with the television on", "tv bench"), "meanwhile"),
