@@ -4,6 +4,7 @@
 //! routine, as a user would write it. After the run, each field of the statement is measured in the ground truth. Expected values come from
 //! the drawn numbers, and not from the program's reading of the sentence.
 
+mod besides;
 mod bounds;
 mod change;
 mod days;

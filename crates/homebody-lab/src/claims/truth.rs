@@ -334,9 +334,12 @@ impl ClaimTruth {
                     before(at(to)) - before(at(from))
                 }
                 Subject::Turning => {
-                    let one = Filter { days: Some((day + 1, day + 1)), ..Filter::default() };
-                    let asleep = self.occurrences(who, &Subject::Activity(SLEEPING.to_owned()), &one, false);
-                    body.turning_s[index] / (asleep.iter().map(|of| of.lasted.seconds()).sum::<f64>() / 3600.0)
+                    // A sleep that began on the day before counts as far as it is on this day.
+                    let midnight = |day: i32| self.calendar.instant(day, Span::ZERO);
+                    let time = Interval::new(midnight(*day), midnight(*day + 1));
+                    let asleep = self.spans(who, &Subject::Activity(SLEEPING.to_owned()));
+                    let asleep: Span = asleep.iter().map(|of| of.time.overlap(time)).sum();
+                    if asleep > Span::ZERO { body.turning_s[index] / asleep.ratio(HOUR) } else { f64::NAN }
                 }
                 Subject::Severity(name) => {
                     let noon = self.calendar.instant(*day, 12 * HOUR);

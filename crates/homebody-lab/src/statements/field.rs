@@ -70,10 +70,11 @@ impl FieldResult {
         let field = self.field.as_str();
         match field {
             "length" => FieldTopic::Length,
-            "end" => FieldTopic::Length,
+            "end" | "night" => FieldTopic::Length,
             "at" | "mean time" | "part of the day" | "with" | "any time" => FieldTopic::Time,
             _ if field.starts_with("after") || field.starts_with("before") => FieldTopic::Time,
-            "place" | "room" | "door" | "host" | "in the way" | "explained numbers" => FieldTopic::Other,
+            "place" | "room" | "door" | "host" | "key" | "work" | "help" | "meanwhile" | "in the way"
+            | "explained numbers" => FieldTopic::Other,
             _ => FieldTopic::Days,
         }
     }

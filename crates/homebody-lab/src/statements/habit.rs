@@ -7,7 +7,9 @@ use super::deeds::{
 use super::homes::LifeContext;
 use super::homes::{DrawnHome, clock};
 use super::numbers::Draw;
-use homebody_core::activity::{FALLEN, LYING_AWAKE, SHOWERING, USING_BATHROOM};
+use homebody_core::activity::{
+    DOING_PUZZLES, FALLEN, HANDICRAFT, HOUSEWORK, LYING_AWAKE, SHOWERING, USING_BATHROOM, WASHING,
+};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 use homebody_routine::routine::PartOfDay;
 
@@ -40,6 +42,22 @@ pub enum DrawnPlace {
     Room(&'static str),
 }
 
+/// What a statement says besides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DrawnDetail {
+    Nothing,
+    /// A visitor with a key.
+    Key,
+    /// A visitor who stays for a night.
+    Overnight,
+    /// The work of a visitor: its words, and its label.
+    Work(&'static str, &'static str),
+    /// Help of a visitor: its words, and the label of the host's activity.
+    Help(&'static str, &'static str),
+    /// A thing that is on meanwhile: its words, and its name.
+    Meanwhile(&'static str, &'static str),
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnHabit {
     pub kind: &'static str,
@@ -57,6 +75,7 @@ pub struct DrawnHabit {
     pub times: Option<(u32, u32)>,
     /// Most falls happen in this part of the day.
     pub mostly: Option<PartOfDay>,
+    pub besides: DrawnDetail,
     /// Days of a stay or an absence.
     pub stays_days: Option<i32>,
 }
@@ -147,6 +166,7 @@ impl DrawnHabit {
             until: None,
             times: None,
             mostly: None,
+            besides: DrawnDetail::Nothing,
             stays_days: None,
         }
     }
@@ -201,6 +221,10 @@ impl DrawnHabit {
     fn pastime(draw: &mut Draw, context: &LifeContext) -> DrawnHabit {
         let deed = PASTIMES[draw.below(PASTIMES.len() as u32) as usize];
         let mut habit = DrawnHabit::of(draw, context, "pastime", &[deed]);
+        if [DOING_PUZZLES, HANDICRAFT].contains(&deed.label) && habit.times.is_none() && draw.one_in(2) {
+            habit.besides = DrawnDetail::Meanwhile(" with the television on", "tv bench");
+            return habit;
+        }
         if deed.goes_anywhere && draw.one_in(2) {
             let seats = context.home.seats.len() as u32;
             let which = draw.below(seats + context.home.rooms.len() as u32);
@@ -314,7 +338,25 @@ impl DrawnHabit {
             1 => {}
             _ => habit.length = Some(DrawnLength::draw(draw, 60.0)),
         }
+        habit.visit_besides(draw);
         habit
+    }
+
+    /// A key, a night or work.
+    fn visit_besides(&mut self, draw: &mut Draw) {
+        let DrawnTime::At { at, .. } = &self.time else { return };
+        let (is_late, is_short) = (at.low >= 960.0, self.length.is_some());
+        self.besides = match draw.below(8) {
+            0 => DrawnDetail::Key,
+            // A stay of a night needs days on which it begins.
+            1 if is_late && self.until.is_none() && self.when.days != DrawnDays::All => DrawnDetail::Overnight,
+            2 if is_short => DrawnDetail::Work(" and does the housework", HOUSEWORK),
+            3 if is_short => DrawnDetail::Help(" and helps her wash", WASHING),
+            _ => DrawnDetail::Nothing,
+        };
+        if self.besides == DrawnDetail::Overnight {
+            self.length = None;
+        }
     }
 
     fn sleep(draw: &mut Draw, context: &LifeContext) -> DrawnHabit {
@@ -407,7 +449,15 @@ impl DrawnHabit {
                 let (days, after) = (when.days.words(), when.chance.words_after());
                 let chance = when.chance.words();
                 let words = deed.words;
-                format!("{phase}{chance}{who} {words}{place}{time}{times}{days}{after}{mostly}{length}")
+                let besides = match self.besides {
+                    DrawnDetail::Nothing => "",
+                    DrawnDetail::Key => " with a key",
+                    DrawnDetail::Overnight => " for 1 night",
+                    DrawnDetail::Work(words, _) | DrawnDetail::Help(words, _) | DrawnDetail::Meanwhile(words, _) => {
+                        words
+                    }
+                };
+                format!("{phase}{chance}{who} {words}{place}{time}{times}{days}{after}{mostly}{length}{besides}")
             }
         };
         let text = home.of_person(text.replace(",,", ",").trim_end_matches(','));

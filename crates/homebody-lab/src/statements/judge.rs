@@ -24,9 +24,9 @@ const COVERED: f64 = 0.6;
 const PAUSE: Span = HOUR.times(2);
 
 /// A day on which the statement may hold.
-struct Occasion {
+pub struct Occasion {
     day: i32,
-    chance: f64,
+    pub chance: f64,
     /// Earliest and latest begin, where the statement gives one.
     begin: Option<(RunTime, RunTime)>,
     /// The activity before or after it.
@@ -111,6 +111,7 @@ impl DrawnHabit {
         if self.visitor.is_some() {
             self.host(view, all, &mut fields);
         }
+        fields.extend(self.besides(view, &occasions));
         if let Some(part) = self.mostly {
             let hours = match part {
                 PartOfDay::Night => (view.bed_min, view.up_min + 1440.0),
@@ -278,7 +279,7 @@ impl DrawnHabit {
     }
 
     /// The occurrence that the statement means.
-    fn meant<'a>(&self, of: &'a Occasion) -> Option<&'a Occurrence> {
+    pub fn meant<'a>(&self, of: &'a Occasion) -> Option<&'a Occurrence> {
         let wanted = match (of.begin, of.anchor, &self.time) {
             (Some((from, to)), ..) => from + (to - from) / 2,
             (None, Some(anchor), DrawnTime::After(..)) => anchor.end,

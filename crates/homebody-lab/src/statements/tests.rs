@@ -1,9 +1,9 @@
 //! Drawn statements are the same on any number of threads, and wrong ones are found.
 
 use super::days::DrawnWhen;
-use super::deeds::PASTIMES;
+use super::deeds::{PASTIMES, VISIT};
 use super::draw::{DrawnLife, DrawnStatement};
-use super::habit::{DrawnHabit, DrawnPlace, DrawnTime};
+use super::habit::{DrawnDetail, DrawnHabit, DrawnPlace, DrawnTime};
 use super::homes::{DrawnBase, HOMES, LifeContext, STARTS};
 use super::{FieldVerdict, StatementsExperiment};
 use homebody_core::fuzzy::Fuzzy;
@@ -86,6 +86,40 @@ fn each_field_that_is_not_as_stated_is_found() {
     );
     let experiment = StatementsExperiment::from_rows(rows, 1, 3);
     assert!(experiment.neither == 1 && experiment.to_string().contains("Neither happened nor told:"), "{experiment}");
+}
+
+/// Each detail holds in a life with its words, and is found missing in a life without them.
+#[test]
+fn a_detail_holds_only_where_it_is_stated() {
+    let visits = |minute: f64, words: &str| DrawnHabit {
+        visitor: Some("niece"),
+        time: DrawnTime::At { words: words.to_owned(), at: Fuzzy::around(minute, 5.0) },
+        ..DrawnHabit::new("guest", VISIT)
+    };
+    let pastime = DrawnHabit {
+        deed: PASTIMES.into_iter().find(|deed| deed.label == "handicraft").expect("it is in the table"),
+        time: DrawnTime::At { words: " at 15:00".to_owned(), at: Fuzzy::around(900.0, 5.0) },
+        ..prays()
+    };
+    let when = DrawnWhen { days: super::days::DrawnDays::Weekdays(0x10), ..DrawnWhen::ALWAYS };
+    let on_fridays = DrawnHabit { when, ..visits(1020.0, " at 17:00") };
+    let morning = || visits(600.0, " at 10:00 for 1 hour");
+    for (plain, besides, field) in [
+        (morning(), DrawnDetail::Key, "key"),
+        (on_fridays, DrawnDetail::Overnight, "night"),
+        (morning(), DrawnDetail::Work(" and does the housework", "housework"), "work"),
+        (morning(), DrawnDetail::Help(" and helps her wash", "washing"), "help"),
+        (pastime, DrawnDetail::Meanwhile(" with the television on", "tv bench"), "meanwhile"),
+    ] {
+        let stated = DrawnHabit { besides, ..plain.clone() };
+        let holds = |simulated: &DrawnHabit| {
+            let own = life(DrawnStatement::Habit(simulated.clone()));
+            let run = own.simulate(&[0]).map_err(|why| format!("{why:?}")).unwrap();
+            let fields = stated.judge(&own.view(&run));
+            fields.iter().find(|of| of.field == field).map(|of| of.holds)
+        };
+        assert_eq!((holds(&stated), holds(&plain)), (Some(true), Some(false)), "{field}");
+    }
 }
 
 #[test]

@@ -153,7 +153,7 @@ struct Lost {
     occasions: u32,
 }
 
-/// The loss of a habit on days of a weather, an episode or poor nights that the run lacked.
+/// The loss of a habit whose weather or episode is on no day of the run.
 fn without_day(life: &ResidentRoutine, id: SentenceId, days: i32) -> Option<Lost> {
     let when = &life.habit(id)?.when;
     let mut dates = when.days_of_run(&life.calendar, days);

@@ -308,6 +308,7 @@ impl Builder<'_> {
             let reason = "only a visitor comes with a key".to_owned();
             self.fault(key.span, SentenceMessage::DoesNotFit { text, reason });
         }
+        self.place_without_effect(&activity, &parts);
         self.thing_meanwhile(&activity, is_visit, &parts);
         if let Some(slot) =
             parts.poor_nights.as_ref().filter(|_| matches!(activity, Activity::GetUp | Activity::GoToBed))
@@ -387,6 +388,17 @@ impl Builder<'_> {
         let said = self.said(span).to_lowercase();
         let mut words = said.split(|c: char| !c.is_alphanumeric());
         PLACES_TO_EAT.iter().any(|place| said.contains(place)) || words.any(|word| WORDS_OF_MEALS.contains(&word))
+    }
+
+    /// A visit, an outing, rising and lying awake have no place of their own.
+    fn place_without_effect(&mut self, activity: &Activity, parts: &Parts) {
+        use Activity::{ComeHome, GetUp, Leave, LieAwake, Visit};
+        let Some(slot) = &parts.place else { return };
+        if matches!(activity, ComeHome | GetUp | Leave | LieAwake | Visit) {
+            let text = self.said(slot.span);
+            let reason = "the place of this activity is fixed; leave out these words".to_owned();
+            self.fault(slot.span, SentenceMessage::DoesNotFit { text, reason });
+        }
     }
 
     /// Something can be on during what the person does at home.
