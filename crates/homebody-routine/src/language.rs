@@ -38,6 +38,7 @@ mod tests;
 pub mod times;
 mod tokens;
 mod value;
+mod verb_forms;
 mod words;
 
 use crate::routine::{Quote, Routine, RoutinePerson};

@@ -153,6 +153,7 @@ fn a_night_awake_is_as_frequent_as_stated() {
         let share = simulate(BASE, said, 90).nights_with("lying_awake");
         assert!((least..=most).contains(&share), "{said} {share}");
     }
+    assert!(simulate(BASE, "She does not lie awake at night.", 90).nights_with("lying_awake") < 0.05);
     // Without a statement about a night, its wakings are as usual.
     assert!(simulate(BASE, "", 90).nights_with("lying_awake") > 0.85);
     let share = simulate(BASE, "She lies awake at 03:00 on Sunday for 30 minutes.", 90).nights_with("lying_awake");

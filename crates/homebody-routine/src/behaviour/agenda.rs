@@ -129,7 +129,7 @@ impl Agenda {
             next_up,
             bathroom_first,
             bathroom_last,
-            in_bed: parameters.stays_in_bed(life, day),
+            in_bed: life.stays_in_bed(parameters, day),
             says_visits_of_night,
             items,
             breaks,
@@ -186,7 +186,7 @@ impl Planner<'_> {
         // The source of the last habit, and its start if it is done today.
         let mut before: (usize, Option<ItemStart>) = (0, None);
         let mut totals = Vec::new();
-        let in_bed = self.parameters.stays_in_bed(life, self.day);
+        let in_bed = life.stays_in_bed(self.parameters, self.day);
         for in_force in life.habits(self.day).filter(|habit| !in_bed || habit.said.is_done_on_a_day_in_bed()) {
             let InForce { said: habit, source, .. } = in_force;
             if habit.when.is_total {

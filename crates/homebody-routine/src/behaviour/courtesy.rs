@@ -4,7 +4,7 @@
 //! one waits, and after long enough squeezes past.
 
 use super::body::THERE_M;
-use super::current_activity::{Playing, WalkPurpose};
+use super::current_activity::{BlockedWay, Playing, WalkPurpose};
 use super::driver::RoutineDriver;
 use super::item::Item;
 use super::manner::Manner;
@@ -31,6 +31,15 @@ const PAUSES_BY_RANK: u32 = 6;
 const PAUSES_AT_MOST: u32 = 40;
 const EARLIER_BY_RANK: u32 = 7;
 const PAUSES_AT_LEAST: u32 = 6;
+/// Number of times that a person turns back at a place before they squeeze past the one in the way, some twenty minutes, and
+/// before they pass at any distance (our choice). Two who block each other would stand there for ever.
+const SQUEEZES_AFTER: u32 = 20;
+const PASSES_AFTER: u32 = 30;
+/// Share of the usual distance that is then kept (our choice).
+const TIGHT: f64 = 0.7;
+/// Distance from there within which they pass, and longest time from one turn to the next (our choice).
+const PASSING_M: f64 = 2.0;
+const TURNS_AGAIN: Span = MINUTE.times(5);
 /// Share of the usual distance that is kept from a person who does not move (our choice).
 const SQUEEZED: f64 = 0.75;
 /// Distance after which a walking person checks the way again (our choice).
@@ -72,17 +81,25 @@ impl RoutineDriver {
             if !self.is_free(goal, goal.at) {
                 return self.turn_away();
             }
+        }
+        if self.blocked.turns >= SQUEEZES_AFTER && self.is_still_blocked(now, here) {
+            let passes = self.blocked.turns >= PASSES_AFTER;
+            if passes || self.company.in_the_way(here, to, TIGHT).is_none() {
+                return;
+            }
+        }
+        if let Some(goal) = self.body.spot() {
             if goal.at.distance(to) < THERE_M {
                 return self.last_steps(now, here, to);
             }
         }
         let Some(other) = self.company.in_the_way(here, to, 1.0).copied() else {
-            self.pauses = 0;
+            self.blocked.pauses = 0;
             return;
         };
         let patience = if other.at == other.to { PAUSES_FOR_STANDING } else { PAUSES_FOR_WALKING };
         let patience = patience + PAUSES_BY_RANK * self.rank;
-        let squeezed = if self.pauses < patience { 1.0 } else { SQUEEZED };
+        let squeezed = if self.blocked.pauses < patience { 1.0 } else { SQUEEZED };
         if let Some(way) = self.way_round(&other, here, to, squeezed) {
             return self.step_to(way);
         }
@@ -111,8 +128,8 @@ impl RoutineDriver {
 
     fn wait_or_turn_back(&mut self, now: RunTime, here: Point) {
         let most = PAUSES_AT_MOST.saturating_sub(EARLIER_BY_RANK * self.rank).max(PAUSES_AT_LEAST);
-        if self.pauses < most {
-            self.pauses += 1;
+        if self.blocked.pauses < most {
+            self.blocked.pauses += 1;
             self.pause(now, here);
         } else {
             self.turn_back(now);
@@ -202,11 +219,17 @@ impl RoutineDriver {
 
     /// No way past: the rest of the way follows later.
     fn turn_back(&mut self, now: RunTime) {
-        self.pauses = 0;
+        let here = self.body.at();
+        let turns = if self.is_still_blocked(now, here) { self.blocked.turns + 1 } else { 1 };
+        self.blocked = BlockedWay { pauses: 0, turns, turned: now, at: here };
         self.ready.retain(|next| !matches!(next, Next::Segment(_)));
         if let Some(goal) = self.body.spot().cloned() {
             self.wait_for(goal, now);
         }
+    }
+
+    fn is_still_blocked(&self, now: RunTime, here: Point) -> bool {
+        self.blocked.at.distance(here) < PASSING_M && now < self.blocked.turned.saturating_add(TURNS_AGAIN)
     }
 
     /// A free side of the place, or a free substitute; `None` if all are occupied.

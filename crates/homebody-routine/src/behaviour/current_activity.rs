@@ -6,6 +6,7 @@ use super::places::HomePlace;
 use super::resident_routine::SentenceId;
 use super::script::{ActivityStep, Interruptible, StayStep};
 use crate::routine::Response;
+use homebody_core::geometry::Point;
 use homebody_core::ids::ResidentId;
 use homebody_core::random::Stream;
 use homebody_core::time::{RunTime, Span};
@@ -171,4 +172,15 @@ pub(super) enum WalkPurpose {
     /// Within the kitchen, or with a duster: less active residents stay longer at each place instead.
     Cooking,
     Roaming,
+}
+
+/// How long people have been in the way.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct BlockedWay {
+    /// Waits in a row.
+    pub(super) pauses: u32,
+    /// How often the person has turned back, and when and where the last time.
+    pub(super) turns: u32,
+    pub(super) turned: RunTime,
+    pub(super) at: Point,
 }

@@ -87,7 +87,7 @@ fn differences(
         let of_stay = of_visitors.iter().map(|visitor| visitor.outcome(id)).find(|stay| stay.begun > 0);
         let lengths = of_stay.unwrap_or_else(|| lived.clone());
         let is_judged = |lost: &Lost| !is_sample || lost.occasions >= LEAST_OF_SAMPLE;
-        let lost = if is_sample { None } else { without_day(life, id, days) };
+        let lost = if is_sample || days < A_MONTH { None } else { without_day(life, id, days) };
         let lost = lost.or_else(|| difference(life, id, &lived, &lengths)).filter(is_judged);
         if let Some(lost) = lost {
             all.push(Difference {
@@ -106,6 +106,10 @@ fn differences(
     all
 }
 
+/// Days of a run whose length is no reason that a sentence about weekdays, weather or poor nights applies on none of them
+/// (our choice).
+const A_MONTH: i32 = 31;
+
 /// Sentences of the routine itself that have no effect in a run of `days` days.
 pub fn predicted_differences(life: &ResidentRoutine, days: i32) -> Vec<Difference> {
     let own = life.sentences().filter(|(id, ..)| id.source == ResidentRoutine::OWN);
@@ -120,6 +124,8 @@ pub fn predicted_differences(life: &ResidentRoutine, days: i32) -> Vec<Differenc
                 format!("nothing: it begins on day {}, and the run has {days}", i64::from(from) + 1)
             }
             (_, Some(until)) if life.day_of(until) <= 0 => "nothing: it is over before the run".into(),
+            // A run of a day has no Tuesday.
+            _ if days < A_MONTH && when.days_of_run(&life.calendar, A_MONTH).next().is_some() => return None,
             _ => "nothing: it applies on no day of this run".into(),
         };
         Some(Difference {

@@ -7,7 +7,7 @@ use super::agenda::Agenda;
 use super::body::WalkingBody;
 use super::chores::{self, Errand};
 use super::company::Company;
-pub(super) use super::current_activity::{ActivityPart, Playing, SleepRecord, VisitorStay, WalkPurpose};
+pub(super) use super::current_activity::{ActivityPart, BlockedWay, Playing, SleepRecord, VisitorStay, WalkPurpose};
 use super::errands::Errands;
 use super::item::{Following, HeldThing, Item};
 use super::manner::Manner;
@@ -88,8 +88,7 @@ pub struct RoutineDriver {
     pub(super) stay: VisitorStay,
     /// Number of bodies before this one in the scenario.
     pub(super) rank: u32,
-    /// Waits in a row for people in the way.
-    pub(super) pauses: u32,
+    pub(super) blocked: BlockedWay,
     pub(super) sight: WatchInput,
     /// Things that are kept on.
     pub(super) held: Vec<HeldThing>,
@@ -143,7 +142,7 @@ impl RoutineDriver {
             company,
             stay: VisitorStay::default(),
             rank,
-            pauses: 0,
+            blocked: BlockedWay::default(),
             sight: WatchInput::default(),
             held: Vec::new(),
             nights: SleepRecord::default(),

@@ -161,7 +161,7 @@ impl RoutineDriver {
         let (now, Some(body), None) = (around.now(), around.body(), &self.visitor) else { return false };
         self.ready.clear();
         self.sight.rest = None;
-        self.pauses = 0;
+        self.blocked.pauses = 0;
         // A further fall restarts the time on the floor.
         if self.scripts.last().is_some_and(|playing| playing.label == FALLEN) {
             self.scripts.pop();

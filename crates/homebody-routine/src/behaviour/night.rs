@@ -9,7 +9,7 @@ use super::manner::Manner;
 use super::places::HomePlace;
 use super::rising;
 use super::script::{ActivityStep, Interruptible, StayStep};
-use crate::routine::Activity;
+use crate::routine::{Activity, PartOfDay};
 use homebody_core::activity::SLEEPING;
 use homebody_core::drivers::Next;
 use homebody_core::event::{BodilyNeed, Vitals};
@@ -91,7 +91,8 @@ impl RoutineDriver {
         // A stated frequency of lying awake replaces random wakings, also in the nights without.
         let is_said =
             [true, false].iter().any(|&night| self.life.says_how_often(&Activity::LieAwake, self.agenda.day, night));
-        let awake_min = if is_said { 0.0 } else { self.life.constitution.awake_min };
+        let often = self.parameters.oftener(&Activity::LieAwake, Some(PartOfDay::Night));
+        let awake_min = if is_said { 0.0 } else { self.life.constitution.awake_min * often };
         let bout_min = self.life.numbers.of(&AWAKE_BOUT_MIN);
         let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / bout_min)).map(|_| stream.unit()).collect();
         wakings.sort_by(f64::total_cmp);

@@ -1,6 +1,5 @@
 //! The parameters of one day: the effect of all changes.
 
-use super::resident_routine::ResidentRoutine;
 use crate::routine::{Activity, Effect, PartOfDay, RoutineChange, Shy};
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::time::Span;
@@ -196,13 +195,6 @@ impl DayParameters {
     pub fn oftener(&self, activity: &Activity, within: Option<PartOfDay>) -> f64 {
         let holds = |part: &Option<PartOfDay>| part.is_none() || *part == within;
         self.oftener.iter().filter(|(of, part, _)| of == activity && holds(part)).map(|(_, _, factor)| factor).product()
-    }
-
-    /// Whether the routine leaves out the rising of a day.
-    pub fn stays_in_bed(&self, life: &ResidentRoutine, day: i32) -> bool {
-        let skips = self.skips(&Activity::GetUp);
-        let is_skipped = skips > 0.0 && life.stream_of_day(day, "skip/getting_up").unit() < skips;
-        is_skipped || self.oftener(&Activity::GetUp, None) <= 0.0
     }
 
     pub fn skips(&self, activity: &Activity) -> f64 {

@@ -541,6 +541,13 @@ impl ResidentRoutine {
         parameters
     }
 
+    /// Whether the routine leaves out the rising of a day.
+    pub fn stays_in_bed(&self, parameters: &DayParameters, day: i32) -> bool {
+        let skips = parameters.skips(&Activity::GetUp);
+        let is_skipped = skips > 0.0 && self.stream_of_day(day, "skip/getting_up").unit() < skips;
+        is_skipped || parameters.oftener(&Activity::GetUp, None) <= 0.0
+    }
+
     pub fn changes(&self, day: i32) -> impl Iterator<Item = SentenceId> {
         self.in_force(day).flat_map(move |(source, strength)| {
             let changes = &self.sources[source].routine.changes;

@@ -1,6 +1,7 @@
 //! The usual words for activities.
 
-use super::lexicon::{Lexicon, third_person};
+use super::lexicon::Lexicon;
+use super::verb_forms::third_person;
 use crate::routine::Activity;
 use std::sync::LazyLock;
 

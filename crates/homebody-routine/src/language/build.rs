@@ -390,13 +390,13 @@ impl Builder<'_> {
         PLACES_TO_EAT.iter().any(|place| said.contains(place)) || words.any(|word| WORDS_OF_MEALS.contains(&word))
     }
 
-    /// A visit, an outing, rising and lying awake have no place of their own.
+    /// A visit, an outing, rising, lying awake and wandering keep to no stated place.
     fn place_without_effect(&mut self, activity: &Activity, parts: &Parts) {
-        use Activity::{ComeHome, GetUp, Leave, LieAwake, Visit};
+        use Activity::{ComeHome, GetUp, Lap, Leave, LieAwake, Pace, Visit, Wander};
         let Some(slot) = &parts.place else { return };
-        if matches!(activity, ComeHome | GetUp | Leave | LieAwake | Visit) {
+        if matches!(activity, ComeHome | GetUp | Lap | Leave | LieAwake | Pace | Visit | Wander) {
             let text = self.said(slot.span);
-            let reason = "the place of this activity is fixed; leave out these words".to_owned();
+            let reason = "this activity keeps to no stated place; leave out these words".to_owned();
             self.fault(slot.span, SentenceMessage::DoesNotFit { text, reason });
         }
     }

@@ -126,8 +126,11 @@ fn pieces(names: &HomeNames, text: &str, tokens: &Tokens) -> Vec<RewritingWord> 
 
 fn rewritten(lexicon: &LexiconWords, mut pieces: Vec<RewritingWord>) -> (Vec<RewritingWord>, bool) {
     let (mut assumes, mut left) = (false, MOST_REWRITINGS);
+    let is_word = |list: &str, word: &str| lexicon.is_word(list, word);
     for rewriting in &lexicon.rewritings {
-        while let Some(meant) = rewriting.apply(&pieces, lexicon).filter(|meant| left > 0 && *meant != pieces) {
+        while let Some(meant) =
+            rewriting.apply(&pieces, &lexicon.grammar, &is_word).filter(|meant| left > 0 && *meant != pieces)
+        {
             (pieces, left) = (meant, left - 1);
             assumes |= rewriting.assumes;
         }

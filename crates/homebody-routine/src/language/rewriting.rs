@@ -5,7 +5,8 @@
 //! in digits, `TIME`, the words of a time of day, and `_`, one to six words. `DO` and `DOING` are forms of a known verb. The right side has
 //! the words of the language: `_` is the next of the kept ones, `_2` the second, `DOES` the verb as she does it.
 
-use super::lexicon::{LexiconWords, gerund, third_person};
+use super::grammar::Grammar;
+use super::verb_forms::{gerund, third_person};
 use super::words::TextSpan;
 
 /// A word of a sentence that is rewritten.
@@ -92,8 +93,13 @@ impl Rewriting {
     }
 
     /// Rewrites the first place that fits.
-    pub fn apply(&self, pieces: &[RewritingWord], lexicon: &LexiconWords) -> Option<Vec<RewritingWord>> {
-        let fitting = Fitting { pieces, lexicon };
+    pub fn apply(
+        &self,
+        pieces: &[RewritingWord],
+        grammar: &Grammar,
+        is_word: &dyn Fn(&str, &str) -> bool,
+    ) -> Option<Vec<RewritingWord>> {
+        let fitting = Fitting { pieces, grammar, is_word };
         (0..pieces.len()).find_map(|at| {
             let mut kept: Vec<KeptWords> = Vec::new();
             let end = fitting.end(&self.left, at, at, &mut kept)?;
@@ -134,14 +140,16 @@ struct KeptWords {
 
 struct Fitting<'p> {
     pieces: &'p [RewritingWord],
-    lexicon: &'p LexiconWords,
+    grammar: &'p Grammar,
+    /// Whether a list of the lexicon has a word.
+    is_word: &'p dyn Fn(&str, &str) -> bool,
 }
 
 impl Fitting<'_> {
     fn of_bare(&self, word: &str) -> Option<String> {
         let does = third_person(word);
-        let is_verb = |word: &str| self.lexicon.grammar.known_word(word).is_some();
-        (is_verb(word) && is_verb(&does) && !self.lexicon.is_word("determiners", word)).then_some(does)
+        let is_verb = |word: &str| self.grammar.known_word(word).is_some();
+        (is_verb(word) && is_verb(&does) && !(self.is_word)("determiners", word)).then_some(does)
     }
 
     fn of_gerund(&self, word: &str) -> Option<String> {
@@ -154,12 +162,12 @@ impl Fitting<'_> {
     /// The end of the longest time of day that begins at a word.
     fn end_of_time(&self, at: usize) -> Option<usize> {
         let is_digit = |word: &str| word.starts_with(|c: char| c.is_ascii_digit());
-        let fits = |piece: &&RewritingWord| is_digit(&piece.text) || self.lexicon.is_word("clock", &piece.text);
+        let fits = |piece: &&RewritingWord| is_digit(&piece.text) || (self.is_word)("clock", &piece.text);
         let words = self.pieces[at..].iter().take(MOST_KEPT).take_while(fits);
         let words = words.enumerate().take_while(|(index, piece)| *index == 0 || !piece.comma).count();
         let is_time = self.pieces[at..at + words]
             .iter()
-            .any(|piece| is_digit(&piece.text) || self.lexicon.is_word("hours", &piece.text));
+            .any(|piece| is_digit(&piece.text) || (self.is_word)("hours", &piece.text));
         is_time.then_some(at + words)
     }
 
@@ -177,9 +185,7 @@ impl Fitting<'_> {
             found
         };
         let ends = |at: usize| {
-            self.pieces
-                .get(at)
-                .is_none_or(|piece| at > start && piece.comma || self.lexicon.is_word("joins", &piece.text))
+            self.pieces.get(at).is_none_or(|piece| at > start && piece.comma || (self.is_word)("joins", &piece.text))
         };
         let found = match pattern {
             WordPattern::Start => (at == 0).then(|| self.end(rest, start, at, kept))?,
@@ -206,7 +212,7 @@ impl Fitting<'_> {
                 .and_then(|_| keep(at + 1, None)),
             WordPattern::Capital => piece
                 .filter(|piece| at > 0 && piece.shown.starts_with(char::is_uppercase))
-                .filter(|piece| !piece.counts && !self.lexicon.is_word("months", &piece.text))
+                .filter(|piece| !piece.counts && !(self.is_word)("months", &piece.text))
                 .and_then(|_| self.end(rest, start, at + 1, kept)),
             WordPattern::Words(words) => {
                 piece.filter(|piece| words.contains(&piece.text)).and_then(|_| self.end(rest, start, at + 1, kept))
