@@ -42,7 +42,7 @@ pub enum DrawnPlace {
     Room(&'static str),
 }
 
-/// What a statement says besides.
+/// The further parts of a statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DrawnDetail {
     Nothing,

@@ -106,8 +106,7 @@ fn differences(
     all
 }
 
-/// Days of a run whose length is no reason that a sentence about weekdays, weather or poor nights applies on none of them
-/// (our choice).
+/// Shortest run, in days, in which a sentence about weekdays, weather or poor nights is expected to apply (our choice).
 const A_MONTH: i32 = 31;
 
 /// Sentences of the routine itself that have no effect in a run of `days` days.
