@@ -81,6 +81,11 @@ fn a_brought_meal_is_eaten_when_it_has_come_and_cooked_by_nobody() {
     let early = lived("She eats lunch at 12:20.\nA volunteer brings her lunch every day at 11:50 for 10 minutes.");
     let in_time = early.firsts("eating_lunch").into_iter().filter(|at| (12.2..12.6).contains(&hour(*at))).count();
     assert!(in_time >= 38 && days(&early, "preparing_lunch").is_empty(), "{in_time}");
+    // A meal without a sentence of its own is not put off until after a stated rest.
+    let soon =
+        lived("She rests in bed from 13:15 to 15:00.\nA carer brings her lunch every day at 12:30 for 30 minutes.");
+    let in_time = soon.firsts("eating_lunch").into_iter().filter(|at| (12.5..13.3).contains(&hour(*at))).count();
+    assert!(in_time >= 38, "{in_time}");
     let late = difference(&format!("{BED}{said}"), "eats lunch").unwrap_or_default();
     assert!(late.contains("late") && late.contains("the visit by \"volunteer\""), "{late}");
 }

@@ -82,6 +82,8 @@ fn eat_what_comes(items: &mut [Item], meal: Meal, visit: &Item, ready: RunTime) 
             _ => item.start.max(ready.min(over)),
         };
         (item.latest, item.start) = (item.latest + (start - item.start).max(Span::ZERO), start);
+        // As firm as the visit.
+        item.waits = false;
     }
 }
 
