@@ -77,21 +77,19 @@ impl RoutineDriver {
             return;
         }
         let to = self.cut_stride(here, to);
-        if let Some(goal) = self.body.spot() {
-            if !self.is_free(goal, goal.at) {
-                return self.turn_away();
-            }
+        let goal = self.body.spot();
+        if goal.is_some_and(|goal| !self.is_free(goal, goal.at)) {
+            return self.turn_away();
         }
+        let is_nearly_there = goal.is_some_and(|goal| goal.at.distance(to) < THERE_M);
         if self.blocked.turns >= SQUEEZES_AFTER && self.is_still_blocked(now, here) {
             let passes = self.blocked.turns >= PASSES_AFTER;
             if passes || self.company.in_the_way(here, to, TIGHT).is_none() {
                 return;
             }
         }
-        if let Some(goal) = self.body.spot() {
-            if goal.at.distance(to) < THERE_M {
-                return self.last_steps(now, here, to);
-            }
+        if is_nearly_there {
+            return self.last_steps(now, here, to);
         }
         let Some(other) = self.company.in_the_way(here, to, 1.0).copied() else {
             self.blocked.pauses = 0;
