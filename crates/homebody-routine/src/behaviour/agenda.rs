@@ -322,10 +322,7 @@ impl Planner<'_> {
         let within = habit.when.part();
         // A skipped meal is not prepared either.
         let meal = habit.activity.of_same_meal().filter(|_| matches!(habit.activity, Activity::Prepare(_)));
-        let is_skipped = |activity: &Activity| {
-            let skip = self.life.stream_of_day(day, &format!("skip/{}", activity.label())).unit();
-            skip < self.parameters.skips(activity)
-        };
+        let is_skipped = |activity: &Activity| self.life.skips(self.parameters, activity, day);
         if is_skipped(&habit.activity) || meal.is_some_and(|meal| is_skipped(&meal)) {
             return 0;
         }

@@ -541,11 +541,15 @@ impl ResidentRoutine {
         parameters
     }
 
+    /// Whether the routine leaves out an activity on a day by chance.
+    pub fn skips(&self, parameters: &DayParameters, activity: &Activity, day: i32) -> bool {
+        let share = self.stream_of_day(day, &format!("skip/{}", activity.label())).unit();
+        share < parameters.skips(activity)
+    }
+
     /// Whether the routine leaves out the rising of a day.
     pub fn stays_in_bed(&self, parameters: &DayParameters, day: i32) -> bool {
-        let skips = parameters.skips(&Activity::GetUp);
-        let is_skipped = skips > 0.0 && self.stream_of_day(day, "skip/getting_up").unit() < skips;
-        is_skipped || parameters.oftener(&Activity::GetUp, None) <= 0.0
+        self.skips(parameters, &Activity::GetUp, day) || parameters.oftener(&Activity::GetUp, None) <= 0.0
     }
 
     pub fn changes(&self, day: i32) -> impl Iterator<Item = SentenceId> {

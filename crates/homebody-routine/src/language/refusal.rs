@@ -195,20 +195,10 @@ fn slip_of<'a>(names: &HomeNames, word: &str, mut known: impl Iterator<Item = &'
     if is_own { None } else { known.find(near) }
 }
 
-/// Whether two different words have one letter more, less or other, or two neighbours in the other order.
+/// Whether two words have one letter more, less or other, or two neighbours in the other order.
 fn is_slip(one: &str, other: &str) -> bool {
-    let (one, other): (Vec<char>, Vec<char>) = (one.chars().collect(), other.chars().collect());
-    let front = one.iter().zip(&other).take_while(|(a, b)| a == b).count();
-    let (one, other) = (&one[front..], &other[front..]);
-    match (one, other) {
-        ([], [_]) | ([_], []) => true,
-        ([a, rest @ ..], [b, others @ ..]) => {
-            let is_turned =
-                matches!((rest, others), ([c, rest @ ..], [d, others @ ..]) if a == d && b == c && rest == others);
-            rest == others || rest == other || one == others || is_turned
-        }
-        _ => false,
-    }
+    // The distance is at least the difference of the lengths.
+    one.chars().count().abs_diff(other.chars().count()) <= 1 && strsim::osa_distance(one, other) == 1
 }
 
 /// A hint that names what the sentence lacks.
