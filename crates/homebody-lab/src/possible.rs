@@ -10,7 +10,7 @@ use homebody_core::activity::{
 use homebody_core::event::Fact;
 use homebody_core::motion::{MotionSegment, MotionState};
 use homebody_core::posture::Posture;
-use homebody_core::time::{HOUR, Interval, MINUTE, RunTime, SECOND, Span};
+use homebody_core::time::{DAY, HOUR, Interval, MINUTE, RunTime, SECOND, Span};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -121,6 +121,17 @@ impl ImpossibleCounts {
 
     pub fn is_nothing(&self) -> bool {
         self.0.values().all(|count| count.events == 0)
+    }
+
+    fn add_all(&mut self, other: &ImpossibleCounts) {
+        for (&kind, &ImpossibleCount { events, seconds, first }) in &other.0 {
+            let count = self.0.entry(kind).or_default();
+            *count = ImpossibleCount {
+                events: count.events + events,
+                seconds: count.seconds + seconds,
+                first: count.first.or(first),
+            };
+        }
     }
 
     fn add(&mut self, kind: ImpossibleKind, at: RunTime, lasts: Span) {
@@ -445,9 +456,12 @@ pub struct ImpossibleEvents {
     pub days: u32,
     /// In the order of the arguments.
     pub scenarios: Vec<ScenarioRow>,
+    /// The random routines, by their first statement.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub routines: Vec<ScenarioRow>,
 }
 
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct ScenarioRow {
     pub scenario: String,
     pub people: usize,
@@ -457,18 +471,30 @@ pub struct ScenarioRow {
 
 impl ImpossibleEvents {
     pub fn is_clean(&self) -> bool {
-        self.scenarios.iter().all(|row| row.impossible.is_nothing())
+        self.scenarios.iter().chain(&self.routines).all(|row| row.impossible.is_nothing())
+    }
+
+    /// The sum of the random routines.
+    fn all_routines(&self) -> Option<ScenarioRow> {
+        let mut sum = ScenarioRow { scenario: format!("{} routines", self.routines.len()), ..ScenarioRow::default() };
+        for row in &self.routines {
+            sum.people += row.people;
+            sum.visits += row.visits;
+            sum.impossible.add_all(&row.impossible);
+        }
+        (!self.routines.is_empty()).then_some(sum)
     }
 }
 
 impl fmt::Display for ImpossibleEvents {
-    /// A row for each kind, a column for each scenario.
+    /// A table with the kinds as rows and the scenarios as columns, then the first event of each kind of a random routine.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let names: Vec<String> = self.scenarios.iter().map(|row| row.scenario.clone()).collect();
+        let columns: Vec<ScenarioRow> = self.scenarios.iter().cloned().chain(self.all_routines()).collect();
+        let names: Vec<String> = columns.iter().map(|row| row.scenario.clone()).collect();
         let width = |name: &String| name.chars().count().max(8);
         let line = |f: &mut fmt::Formatter, head: &str, cells: &dyn Fn(&ScenarioRow) -> String| {
             write!(f, "{head:44}")?;
-            for (row, name) in self.scenarios.iter().zip(&names) {
+            for (row, name) in columns.iter().zip(&names) {
                 write!(f, "  {:>width$}", cells(row), width = width(name))?;
             }
             writeln!(f)
@@ -478,6 +504,18 @@ impl fmt::Display for ImpossibleEvents {
         line(f, "visits", &|row| row.visits.to_string())?;
         for kind in ImpossibleKind::ALL {
             line(f, kind.in_words(), &|row| row.impossible.of(kind).events.to_string())?;
+        }
+        for row in &self.routines {
+            let first = |kind: &ImpossibleKind| Some((*kind, row.impossible.of(*kind).first?));
+            for (kind, at) in ImpossibleKind::ALL.iter().filter_map(first) {
+                writeln!(
+                    f,
+                    "{}: {}, first after {:.2} days",
+                    row.scenario,
+                    kind.in_words(),
+                    at.seconds() / DAY.seconds()
+                )?;
+            }
         }
         Ok(())
     }

@@ -82,6 +82,9 @@ pub struct StatementsExperiment {
     pub fields: Vec<FieldRow>,
 }
 
+/// Reasons of refusals, each with the statement that it is about; `None` for another sentence.
+type Refusals = Vec<(Option<usize>, String)>;
+
 /// A run with its truth.
 struct SimulatedLife {
     truth: ClaimTruth,
@@ -222,30 +225,46 @@ impl DrawnLife {
         self.context.base.text(self.context.home, &sentences, &labels)
     }
 
-    fn simulate(&self, statements: &[usize]) -> Result<SimulatedLife, Vec<(Option<usize>, String)>> {
+    fn simulate(&self, statements: &[usize]) -> Result<SimulatedLife, Refusals> {
         self.simulate_text(&self.routine(statements, &[]), statements)
     }
 
-    fn simulate_with_carriers(
-        &self,
-        statements: &[usize],
-        of: usize,
-    ) -> Result<SimulatedLife, Vec<(Option<usize>, String)>> {
+    fn simulate_with_carriers(&self, statements: &[usize], of: usize) -> Result<SimulatedLife, Refusals> {
         self.simulate_text(&self.routine(statements, &[of]), statements)
     }
 
-    /// The problems name the statement that they are about; `None` for another sentence.
-    fn simulate_text(&self, text: &str, statements: &[usize]) -> Result<SimulatedLife, Vec<(Option<usize>, String)>> {
+    fn simulate_text(&self, text: &str, statements: &[usize]) -> Result<SimulatedLife, Refusals> {
+        let (scenario, household) = self.load(text, statements)?;
+        self.run(&scenario, &household).map_err(|why| vec![(None, why)])
+    }
+
+    fn load(&self, text: &str, statements: &[usize]) -> Result<(Scenario, Household), Refusals> {
         let (start, zone) = self.context.start;
         let files = self.context.home.files(start, zone, text);
-        let (scenario, household) = Household::load(&files, "scenario.json", &[]).map_err(|problems| {
+        Household::load(&files, "scenario.json", &[]).map_err(|problems| {
             let of_line = |line: u32| {
                 let line = text.lines().nth(line.max(1) as usize - 1)?;
                 statements.iter().copied().find(|index| self.statements[*index].words(self.context.home) == line)
             };
-            problems.0.iter().map(|problem| (of_line(problem.line), problem.text())).collect::<Vec<_>>()
-        })?;
-        self.run(&scenario, &household).map_err(|why| vec![(None, why)])
+            problems.0.iter().map(|problem| (of_line(problem.line), problem.text())).collect()
+        })
+    }
+
+    /// The scenario of the life without the statements that the program refuses, and its seed.
+    pub fn scenario(&self) -> Option<(Scenario, Household, u64)> {
+        let mut left: Vec<usize> = (0..self.statements.len()).collect();
+        loop {
+            match self.load(&self.routine(&left, &[]), &left) {
+                Ok((scenario, household)) => return Some((scenario, household, self.seed)),
+                Err(refusals) => {
+                    let before = left.len();
+                    left.retain(|index| !refusals.iter().any(|(of, _)| of.is_none_or(|of| of == *index)));
+                    if left.len() == before {
+                        return None;
+                    }
+                }
+            }
+        }
     }
 
     fn run(&self, scenario: &Scenario, household: &Household) -> Result<SimulatedLife, String> {

@@ -181,6 +181,12 @@ impl ClaimTruth {
         }
     }
 
+    /// Minutes since midnight on the clock on the wall, also on a day on which clocks change.
+    pub fn clock_min(&self, at: RunTime) -> f64 {
+        let local = self.calendar.local(at);
+        f64::from(local.hour()) * 60.0 + f64::from(local.minute()) + f64::from(local.second()) / 60.0
+    }
+
     pub fn calendar(&self) -> &Calendar {
         &self.calendar
     }
@@ -302,7 +308,7 @@ impl ClaimTruth {
                     last.time.end = last.time.end.max(end);
                 }
                 _ => {
-                    let clock_min = (begin - self.midnight(begin)).seconds() / 60.0;
+                    let clock_min = self.clock_min(begin);
                     all.push(Occurrence { day: 0, time, lasted: time.length(), clock_min });
                 }
             }

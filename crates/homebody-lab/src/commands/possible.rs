@@ -3,12 +3,14 @@ use super::locate::is_person;
 use crate::messages::ExperimentMessage;
 use crate::possible::{HouseholdHome, HouseholdTruth, ImpossibleEvents, ScenarioRow};
 use crate::simulated::each_step;
+use crate::statements::DrawnLife;
 use homebody::shared::{Failure, Trust, print_json, print_text};
 use homebody_core::drivers::error::DriverError;
 use homebody_core::role::Role;
 use homebody_core::run::{DriverProvider, Run};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, HOUR};
+use homebody_routine::household::Household;
 use homebody_simulation::{OpenScenario, Template};
 use std::path::PathBuf;
 
@@ -16,17 +18,25 @@ use std::path::PathBuf;
 ///
 /// Impossible events are people who touch in passing or wait for many minutes, activities of the bathroom in other rooms, passages of a
 /// shut front door, visits without a host or a visitor, meals eaten before they are cooked, and rows without length. Without a scenario,
-/// Homebody simulates all templates with routines; scripts and paths decide for themselves. The exit code is 1 if an impossible event occurs.
+/// Homebody simulates all templates with routines; scripts and paths decide for themselves. With --routines, it also simulates random
+/// routines, those of the command `statements`. The exit code is 1 if an impossible event occurs.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody-lab possible
-  homebody-lab possible my-home --days 365 --json")]
+  homebody-lab possible my-home --days 365 --json
+  homebody-lab possible --days 365 --routines 200 --seed 7")]
 pub struct PossibleLabArguments {
     /// Scenario folders (default: all templates with routines)
     scenarios: Vec<PathBuf>,
     /// Days to simulate for each scenario
     #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u32).range(1..=3660))]
     days: u32,
+    /// Number of random routines
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=100_000))]
+    routines: u32,
+    /// Seed of the random routines
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -46,8 +56,19 @@ impl PossibleLabArguments {
                 self.scenarios.iter().map(open).collect::<Result<_, _>>()?
             }
         };
-        let rows = evaluate_each(&opened, "scenarios", |opened| simulate(opened, self.days))?;
-        let possible = ImpossibleEvents { days: self.days, scenarios: rows };
+        let scenarios = evaluate_each(&opened, "scenarios", |opened| {
+            let scenario = opened.scenario();
+            simulate(scenario.clone(), opened.household(), scenario.file.seed, self.days)
+        })?;
+        let days = self.days as i32;
+        let drawn = DrawnLife::draw_lives(self.routines as usize, self.seed, &(days..=days));
+        let routines = evaluate_each(&drawn, "routines", |life| {
+            let Some((scenario, household, seed)) = life.scenario() else { return Ok(None) };
+            let row = simulate(scenario, &household, seed, self.days)?;
+            Ok::<_, DriverError>(Some(ScenarioRow { scenario: format!("routine of statement {}", life.first), ..row }))
+        })?;
+        let routines = routines.into_iter().flatten().collect();
+        let possible = ImpossibleEvents { days: self.days, scenarios, routines };
         if self.json {
             print_json(&possible)?
         } else {
@@ -60,8 +81,7 @@ impl PossibleLabArguments {
     }
 }
 
-fn simulate(opened: &OpenScenario, days: u32) -> Result<ScenarioRow, DriverError> {
-    let (mut scenario, household) = (opened.scenario().clone(), opened.household());
+fn simulate(mut scenario: Scenario, household: &Household, seed: u64, days: u32) -> Result<ScenarioRow, DriverError> {
     scenario.home = scenario.home.without_cameras();
     let residents = scenario.residents.len();
     let guests: Vec<String> = household.guests().into_iter().map(|guest| guest.name).collect();
@@ -74,7 +94,7 @@ fn simulate(opened: &OpenScenario, days: u32) -> Result<ScenarioRow, DriverError
     let people = are_people.iter().filter(|&&is| is).count();
     let home = household_home(&scenario);
     let mut lives = HouseholdTruth::new(are_people, hosts.collect(), home);
-    let mut run = Run::new(&scenario, household, scenario.file.seed, i64::from(days) * DAY);
+    let mut run = Run::new(&scenario, household, seed, i64::from(days) * DAY);
     each_step(&mut run, HOUR, |events| events.facts.iter().for_each(|fact| lives.take(fact)))?;
     Ok(ScenarioRow {
         scenario: scenario.file.name.clone(),

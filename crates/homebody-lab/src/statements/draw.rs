@@ -114,16 +114,23 @@ impl DrawnLife {
         life
     }
 
-    /// Draws lives. Together they have `count` statements or a few more. Each has streams of its own.
+    /// Draws lives. Together they have `count` statements or a few more.
     pub fn draw_all(count: usize, seed: u64, days: &RangeInclusive<i32>) -> Vec<DrawnLife> {
-        let (mut lives, mut first): (Vec<DrawnLife>, usize) = (Vec::new(), 0);
-        while first < count {
-            let number = lives.len();
+        DrawnLife::endless(seed, days).take_while(|life| life.first < count).collect()
+    }
+
+    /// The first lives of the draw.
+    pub fn draw_lives(lives: usize, seed: u64, days: &RangeInclusive<i32>) -> Vec<DrawnLife> {
+        DrawnLife::endless(seed, days).take(lives).collect()
+    }
+
+    /// Lives without end. Each has streams of its own.
+    fn endless(seed: u64, days: &RangeInclusive<i32>) -> impl Iterator<Item = DrawnLife> {
+        (0_u64..).scan(0, move |first, number| {
             let mut draw = Draw::named(seed, &format!("statements/{number}"));
-            let life = DrawnLife::draw(&mut draw, first, seed.wrapping_add(number as u64), days);
-            first += life.statements.len();
-            lives.push(life);
-        }
-        lives
+            let life = DrawnLife::draw(&mut draw, *first, seed.wrapping_add(number), days);
+            *first += life.statements.len();
+            Some(life)
+        })
     }
 }

@@ -310,12 +310,8 @@ impl DrawnRule {
             }
             return fields;
         }
-        let may_be = |at: &RunTime| {
-            let minute = minutes(*at - view.life.midnight(*at));
-            self.until_min.is_none_or(|until| minute < until - 1.0)
-        };
-        let must_not =
-            |at: &RunTime| self.until_min.is_some_and(|until| minutes(*at - view.life.midnight(*at)) > until + 1.0);
+        let may_be = |at: &RunTime| self.until_min.is_none_or(|until| view.life.clock_min(*at) < until - 1.0);
+        let must_not = |at: &RunTime| self.until_min.is_some_and(|until| view.life.clock_min(*at) > until + 1.0);
         // "For 20 minutes" is give or take a tenth. An answer at once comes before the label of its cause.
         let (early, late) = match self.trigger {
             Trigger::Doing(_, 0.0) => (self.length_min + NEEDS_MIN, ANSWERED_MIN),
