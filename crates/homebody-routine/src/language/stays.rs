@@ -48,6 +48,12 @@ pub fn staying(
         return match phase.from {
             // So often within these days.
             Some(_) if is_often => None,
+            Some(_) if !is_state && parts.when.is_some() => {
+                let state = if *activity == Activity::Visit { "stays" } else { "is out" }.to_owned();
+                let message = TimeSentenceMessage::StayOrEachDay { state, days: builder.said(days.span) };
+                builder.fault(days.span, message);
+                None
+            }
             Some(from) => {
                 let until = Some(calendar::later(from, 1));
                 Some(Stay { when, phase: Phase { from: Some(from), until, ..Phase::default() }, lasts })

@@ -170,6 +170,14 @@ homebody_core::messages! {
             help: String,
         } error "no-beginning" ("the sentence does not say on which day this begins")
             hint ("{help}");
+        /// With a time of day and a number of days, an outing or a visit can happen once and last all these days, or happen each day.
+        StayOrEachDay {
+            /// The verb of a stay.
+            state: String,
+            /// The words for the days.
+            days: String,
+        } error "stay-or-each-day" ("{days:?} can be the length of one absence or visit, or the days on which it happens")
+            hint ("write \"{state} {days}\" without a time of day for one, or add a length such as \"for 1 hour\" for each day");
         /// A change that fades has an end at which the fading begins.
         NoEndToFade error "no-end-to-fade" ("the sentence does not say when the fading begins")
             hint ("write \"until day 100, fading over 2 weeks\"");
