@@ -399,3 +399,16 @@ fn a_meal_is_skipped_as_many_times_a_week_as_stated() {
     let weeks: Vec<usize> = (0..10).map(|week| 7 - eaten.iter().filter(|day| **day / 7 == week).count()).collect();
     assert!(weeks.iter().filter(|skipped| **skipped == 2).count() >= 9, "{weeks:?}");
 }
+
+#[test]
+fn nobody_has_a_snack_just_before_a_meal() {
+    let lived = simulate(BASE, "She eats lunch at 12:45 for 25 minutes.", 90);
+    let meals: Vec<RunTime> =
+        ["breakfast", "lunch", "dinner"].into_iter().flat_map(|meal| lived.firsts(&format!("eating_{meal}"))).collect();
+    let snacks: Vec<Interval<RunTime>> = lived.of("having_a_snack").collect();
+    assert!(snacks.len() > 20, "{}", snacks.len());
+    for snack in snacks {
+        let soon = Interval::new(snack.end, snack.end + 40 * MINUTE);
+        assert!(!meals.iter().any(|meal| soon.contains(*meal)), "a snack before a meal, {snack:?}");
+    }
+}

@@ -348,3 +348,21 @@ fn a_helper_does_the_work_with_her_own_body() {
     assert!(lives.rows_of(0, "showering").len() >= 7, "the host is washed");
     assert!(minutes_in(1, "helping", "bathroom") > 7.0 * 3.0, "by her");
 }
+
+#[test]
+fn a_host_does_not_open_for_a_visitor_who_has_left() {
+    let base = "Margaret is 82.\nShe gets up at 07:00.\nShe goes to bed at 22:30.\n";
+    let lives = Lives::said(
+        &format!(
+            "{base}She prepares lunch at about 12:00 for 25 minutes, then eats for 25 minutes.\n\
+             She goes out at about 10:30 for 2 hours.\nHer friend visits from about 11:30 until about 13:05.\n"
+        ),
+        60,
+        |_| {},
+    );
+    let (visits, stays) = (lives.rows_of(0, "visit"), lives.stays(1));
+    assert!(visits.len() >= 5 && stays.len() < 50, "{} visits, {} stays", visits.len(), stays.len());
+    for visit in visits {
+        assert!(stays.iter().any(|stay| !stay.intersection(visit).is_empty()), "nobody came at {visit:?}");
+    }
+}

@@ -48,6 +48,9 @@ const LEFT_OUT: f64 = 0.05;
 /// Share of the activities with a time that may be late without a report (our choice).
 const LATE_SHARE: f64 = 0.1;
 
+/// Mean delay above which a stated time of day is reported, in minutes (our choice).
+const LATE_MEAN_MIN: f64 = 8.0;
+
 /// Share of its mean length below which an activity is reported (our choice).
 const SHORT: f64 = 0.9;
 
@@ -237,6 +240,15 @@ fn difference(
             ),
             share: LATE_WEIGHT * f64::from(late) / f64::from(begun),
             occasions: late,
+        });
+    }
+    let late_min = lived.late_s / f64::from(begun.max(1)) / 60.0;
+    if matches!(habit.when.time, HabitTime::At(_)) && late_min > LATE_MEAN_MIN {
+        return Some(Lost {
+            expected: "at its time".to_owned(),
+            lived: format!("begun {late_min:.0} min late in the mean{}", taker_words(life, lived)),
+            share: LATE_WEIGHT * late_min / (late_min + LATE_MEAN_MIN),
+            occasions: begun,
         });
     }
     let SentenceOutcome { begun, done, planned_s, lasted_s, .. } = *lengths;

@@ -137,8 +137,24 @@ impl RoutineDriver {
             if activity == Activity::Nap && (is_busy || self.is_stated_before(now + lasts)) {
                 return self.needs.put_off(BodilyNeed::Tiredness, now);
             }
+            if let Some(need) = self.waits_for_a_meal(&activity, now + lasts) {
+                return self.needs.put_off(need, now);
+            }
             self.begin(&Item::now(key, activity, lasts));
         }
+    }
+
+    /// The need of a snack or a drink that the next meal meets: a drink would last into its time, a snack would spoil the appetite.
+    fn waits_for_a_meal(&self, activity: &Activity, end: RunTime) -> Option<BodilyNeed> {
+        let (need, until) = match activity {
+            Activity::Snack => (BodilyNeed::Hunger, end + APPETITE),
+            Activity::Drink => (BodilyNeed::Thirst, end),
+            _ => return None,
+        };
+        let is_meal =
+            |item: &&Item| matches!(item.activity, Activity::Prepare(_) | Activity::Eat(_)) && item.visitor.is_none();
+        let next = self.agenda.items.iter().skip(self.next_item).find(is_meal)?;
+        (next.start < until && next.latest >= self.now).then_some(need)
     }
 
     /// Begins the next break, unless it is too late.
@@ -206,6 +222,9 @@ impl RoutineDriver {
         }
     }
 }
+
+/// Time before a meal without a snack (our choice).
+const APPETITE: Span = MINUTE.times(45);
 
 /// Shortest rest of a visit that leaves the host time for another activity, while the guest sits by (our choice).
 const SITS_BY: Span = MINUTE.times(30);

@@ -33,8 +33,10 @@ impl RoutineDriver {
         if next.is_none_or(|next| next.start > now + MINUTE || !next.waits && !may_wait(next)) {
             return;
         }
-        let are_free: Vec<bool> =
-            self.agenda.items[self.next_item..].iter().map(|item| self.may_begin(item, now)).collect();
+        let are_free: Vec<bool> = self.agenda.items[self.next_item..]
+            .iter()
+            .map(|item| self.may_begin(item, now) && !self.has_been_missed(item, now))
+            .collect();
         let (breaks, rest) = (&self.agenda.breaks[self.next_break..], &mut self.agenda.items[self.next_item..]);
         let next = &rest[0];
         let (is_outing, gives_way) = (next.activity == Activity::Leave, next.activity.gives_way_to_meals());

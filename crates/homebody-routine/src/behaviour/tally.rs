@@ -31,6 +31,8 @@ pub struct SentenceOutcome {
     pub lasted_s: f64,
     /// Begun more than [`LATE`] after their time.
     pub late: u32,
+    /// Of all begun: seconds from their drawn time to their beginning, if that is later.
+    pub late_s: f64,
     /// The planned activities that took the time of those that were late or left out, with their ends.
     pub takers: BTreeMap<SentenceId, Vec<RunTime>>,
 }
@@ -59,7 +61,9 @@ impl SentenceTally {
             lived.planned_s += until_s.unwrap_or(item.lasts.seconds());
         });
         // A visitor who was let in came in time.
-        if !item.is_let_in && now - item.due() > LATE {
+        let since = |due: RunTime| if item.is_let_in { Span::ZERO } else { (now - due).max(Span::ZERO) };
+        self.count(item.of, |lived| lived.late_s += since(item.due().min(item.start)).seconds());
+        if since(item.due()) > LATE {
             self.count(item.of, |lived| lived.late += 1);
             self.count_taker(item, now);
         }

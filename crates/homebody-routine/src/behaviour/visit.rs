@@ -33,8 +33,9 @@ const TO_BEDSIDE: Span = SECOND.times(75);
 /// Interval at which a visitor looks what the host does (our choice).
 const LOOKS: Span = MINUTE;
 
-/// Largest delay of the end of a visit by a meal in company (our choice).
+/// Largest delay of the end of a visit by a meal in company (our choice), which is at most a sixth of its length.
 const MEAL_ENDS: Span = MINUTE.times(30);
+const PARTS_OF_VISIT: i64 = 6;
 
 /// Times before and after the planned start of a meal at which a host at the table eats it (our choice).
 const BEFORE_MEAL: Span = MINUTE.times(15);
@@ -263,7 +264,7 @@ impl RoutineDriver {
         self.stay.until = Some(until);
         self.stay.helps = false;
         self.begin_stay(now);
-        let latest = until + if said_until.is_some() { Span::ZERO } else { MEAL_ENDS };
+        let latest = until + if said_until.is_some() { Span::ZERO } else { MEAL_ENDS.min(lasts / PARTS_OF_VISIT) };
         let meal = self.meal_of_host(now).filter(|_| now < latest);
         if now >= until && meal.is_none() || self.is_host_away() {
             return;
