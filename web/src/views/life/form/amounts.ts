@@ -69,9 +69,15 @@ export function plain(from: number, to: number, amount: Amount): Trapezoid {
 
 const isNear = (a: number, b: number) => Math.abs(a - b) <= 1e-6 * Math.max(1, Math.abs(a), Math.abs(b));
 
-export function hasPlainBounds(value: Trapezoid, amount: Amount): boolean {
+function hasPlainBounds(value: Trapezoid, amount: Amount): boolean {
   const usual = plain(value.from, value.to, amount);
   return isNear(value.low, usual.low) && isNear(value.high, usual.high);
+}
+
+/** Whether outer bounds are stated that reach further than the usual values and than those of a plain sentence. */
+export function hasOwnBounds(value: Trapezoid, amount: Amount): boolean {
+  const isExact = isNear(value.low, value.from) && isNear(value.high, value.to);
+  return !isExact && !hasPlainBounds(value, amount);
 }
 
 /** Other usual values. A single value stays single, and outer bounds that were stated keep their distance. */

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import page from '../../../../../docs/reference/statements.md?raw';
-import { type Trapezoid, hasPlainBounds, plain, read, setAfterMidnight, shown, withSpread, withUsual } from './amounts';
+import { type Trapezoid, hasOwnBounds, plain, read, setAfterMidnight, shown, withSpread, withUsual } from './amounts';
 import { KINDS } from './labels';
 import { SAID } from '../../../activities';
 import { FEW_ACTIVITIES, type Field, type Names, type Statement, atPlace, firstOf, freshValue, groupOf, nameOf, namesOf, parted, unshown, wayOf, withKey } from './model';
@@ -116,7 +116,7 @@ test('other usual values keep the outer bounds that were stated', () => {
   expect(withUsual(length, 'from', 3600, 'minutes')).toEqual(plain(3600, 3600, 'minutes'));
   expect(withUsual(length, 'to', 2400, 'minutes')).toEqual({ low: 1800, from: 1800, to: 2400, high: 2400 });
   const wide = withSpread(plain(36_000, 36_000, 'clock'), 1800);
-  expect([hasPlainBounds(wide, 'clock'), hasPlainBounds(plain(36_000, 36_000, 'clock'), 'clock')]).toEqual([false, true]);
+  expect([wide, plain(36_000, 36_000, 'clock'), plain(36_000, 39_600, 'clock')].map((value) => hasOwnBounds(value, 'clock'))).toEqual([true, false, false]);
   expect(withUsual(wide, 'from', 39_600, 'clock')).toEqual({ low: 37_800, from: 39_600, to: 39_600, high: 41_400 });
   expect(setAfterMidnight(setAfterMidnight(wide, true), false)).toEqual(wide);
 });

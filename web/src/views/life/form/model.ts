@@ -56,7 +56,7 @@ export type Option = { value: string; title: string; about: string };
 const root = schema as unknown as RootSchema;
 const kinds = root.definitions.Statement!.oneOf!;
 
-/** The first fields of a group; the others are behind "More". A group without a row shows all. */
+/** The first fields of a group, or of a group of a kind of statement; the others are behind "More". A group without a row shows all. */
 const MAIN: Readonly<Record<string, readonly string[]>> = {
   habit: ['activity', 'place', 'when'],
   sleep: ['activity', 'place', 'when'],
@@ -68,6 +68,8 @@ const MAIN: Readonly<Record<string, readonly string[]>> = {
   rule: ['whenever', 'lasts_s', 'only_if', 'response', 'then'],
   person: ['name', 'age_years', 'pace_mps'],
   When: ['days', 'time', 'lasts_s', 'chance'],
+  'When of change': ['phase', 'days', 'chance'],
+  'When of rule': ['phase', 'chance'],
   DaySelection: ['weekdays', 'every'],
   HabitChance: ['probability', 'days_a_week'],
 };
@@ -208,8 +210,8 @@ export function groupOf(kind: string): Group | undefined {
 }
 
 /** The fields of a group that are shown at once, and those behind "More". */
-export function parted({ name, fields }: Group): { main: Field[]; more: Field[] } {
-  const first = MAIN[name];
+export function parted({ name, fields }: Group, kind = ''): { main: Field[]; more: Field[] } {
+  const first = MAIN[`${name} of ${kind}`] ?? MAIN[name];
   if (first === undefined) return { main: fields, more: [] };
   const main = first.flatMap((key) => fields.filter((field) => field.key === key));
   return { main, more: fields.filter((field) => !main.includes(field)) };
