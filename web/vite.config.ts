@@ -8,7 +8,8 @@ export default defineConfig({
   plugins: [svelte({ compilerOptions: { runes: true } })],
   // The server lets no data: scripts or styles through, so nothing small is folded into another file.
   build: { assetsInlineLimit: 0, modulePreload: { polyfill: false }, target: 'es2022' },
-  server: { port: 5173, proxy: { '/api': { target: server, ws: true, headers: { origin: server } } } },
+  // Tests read the examples of the documents.
+  server: { ...(process.env.VITEST ? { fs: { allow: ['..'] } } : {}), port: 5173, proxy: { '/api': { target: server, ws: true, headers: { origin: server } } } },
   // Components are mounted in tests, so the browser's half of Svelte is wanted.
   resolve: process.env.VITEST ? { conditions: ['browser'] } : {},
   // How fast a machine is says nothing about what is tested.

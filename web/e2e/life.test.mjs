@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { serve } from './served.mjs';
+import { looked, serve, until } from './served.mjs';
 
 const SCENARIO = 'tigerplace-depression';
 
@@ -89,6 +89,81 @@ test('what is begun is completed while it is written', { timeout: 240_000 }, asy
   await page.getByRole('region', { name: 'Interpretation' }).getByText('reads (living room)').waitFor();
   assert.match(await editor.innerText(), /Often she reads in the living room in the afternoon\.$/);
   await page.getByText('Every sentence is understood.').waitFor();
+});
+
+/** Goes to a control by Tab, as a person without a mouse does. */
+async function tabTo(page, control) {
+  for (let step = 0; step < 80; step++) {
+    if (await control.evaluate((one) => one.getRootNode().activeElement === one)) return;
+    await page.keyboard.press('Tab');
+  }
+  assert.fail('Tab does not lead to the control');
+}
+
+test('a visit is added and a habit edited by the form, with keys alone', { timeout: 240_000 }, async () => {
+  const { page } = served;
+  const before = await editor.innerText();
+  const dialog = page.getByRole('dialog');
+  const sentence = dialog.getByRole('region', { name: 'Sentence' });
+  const field = (name) => dialog.getByRole('textbox', { name }).or(dialog.getByRole('combobox', { name })).first();
+  /** Writes into a field in place of its text. */
+  const fill = async (control, text) => {
+    await tabTo(page, control);
+    await page.keyboard.press('Control+a');
+    await page.keyboard.type(text);
+  };
+  await editor.focus();
+  await page.keyboard.press('Control+End');
+  await page.getByRole('button', { name: 'Add a statement' }).focus();
+  await page.keyboard.press('Enter');
+  await dialog.waitFor();
+  assert.equal(await field('Kind').evaluate((one) => document.activeElement === one), true, 'the focus is in the form');
+  await page.keyboard.type('Visit');
+  await fill(field('Visitor'), 'neighbour');
+  await tabTo(page, dialog.getByRole('checkbox', { name: 'Sunday' }));
+  await page.keyboard.press('Space');
+  await fill(field('Time of day: usual from'), '15:00');
+  await fill(field('Length: usual from'), '90');
+  await sentence.getByText('On Sunday, her neighbour visits at 15:00 for 90 minutes.').waitFor();
+  await looked(page, 'statement-form', process.env.PICTURES);
+  await page.setViewportSize({ width: 1280, height: 1600 });
+  await tabTo(page, dialog.getByRole('button', { name: 'Insert' }));
+  await page.keyboard.press('Enter');
+  await dialog.waitFor({ state: 'hidden' });
+  const added = `${before}\nOn Sunday, her neighbour visits at 15:00 for 90 minutes.`;
+  await until(async () => (await editor.innerText()) === added, async () => `the visit is not in ${await editor.innerText()}`);
+  assert.equal(await editor.evaluate((one) => one.getRootNode().activeElement === one), true, 'the focus is in the text again');
+  await page.getByText('Every sentence is understood.').waitFor();
+
+  // The cursor is in the new sentence; the habit is above it.
+  const here = page.getByRole('region', { name: 'Interpretation of the line' });
+  await until(async () => {
+    await page.keyboard.press('ArrowUp');
+    return (await here.innerText()).includes('reads in the living room');
+  }, 'the cursor does not come to the habit');
+  const edit = page.getByRole('button', { name: 'Edit as a form' });
+  await edit.focus();
+  await page.keyboard.press('Enter');
+  await dialog.waitFor();
+  await fill(field('Place'), 'bedroom');
+  await sentence.getByText('she reads in the bedroom').waitFor();
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'hidden' });
+  assert.equal(await edit.evaluate((one) => document.activeElement === one), true, 'the focus is back at the button');
+  assert.equal(await editor.innerText(), added, 'what is cancelled changes nothing');
+  await page.keyboard.press('Enter');
+  await dialog.waitFor();
+  await fill(field('Place'), 'bedroom');
+  await sentence.getByText('she reads in the bedroom').waitFor();
+  // Enter in a field is the button of the form.
+  await page.keyboard.press('Enter');
+  await dialog.waitFor({ state: 'hidden' });
+  await until(async () => (await editor.innerText()).includes('she reads in the bedroom'), 'the habit is edited');
+  assert.equal((await editor.innerText()).split('\n').length, added.split('\n').length);
+  await page.keyboard.press('Control+z');
+  await until(async () => (await editor.innerText()) === added, 'one undo takes the edit back');
+  await page.keyboard.press('Control+z');
+  await until(async () => (await editor.innerText()) === before, 'one more takes the visit back');
 });
 
 test('the days are drawn, and are others without the condition', { timeout: 240_000 }, async () => {

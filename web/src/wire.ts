@@ -926,6 +926,80 @@ export type ConditionView = { name: string,
  */
 severity: Array<number>, sentences: Array<SentenceView>, };
 
+export type StatementsView = { 
+/**
+ * Of other files; a routine with problems has the statements that are understood.
+ */
+problems: Array<ProblemView>, statements: Array<StatementView>, };
+
+export type StatementView = { 
+/**
+ * Of its sentences. A person may have several, and several statements may have the same one.
+ */
+places: Array<SentencePlace>, statement: Record<string, unknown>, 
+/**
+ * The canonical sentences.
+ */
+sentences: Array<string>, };
+
+export type SentencePlace = { 
+/**
+ * From 1.
+ */
+line: number, 
+/**
+ * In characters, from 1.
+ */
+column: number, 
+/**
+ * In characters.
+ */
+length: number, };
+
+export type WriteStatement = { draft: Draft, file: string, statement: Record<string, unknown>, 
+/**
+ * The number of the statement that it replaces, from 0; null for a new one.
+ */
+instead: number | null, 
+/**
+ * The line, from 1, after which a new sentence stands.
+ */
+line: number, };
+
+export type WrittenStatementView = { 
+/**
+ * As they are written, without the other statements of the same sentence.
+ */
+sentences: Array<string>, 
+/**
+ * The interpretation of the sentences in their routine.
+ */
+meaning: Array<SentenceView>, 
+/**
+ * The faults of the fields, all of them.
+ */
+faults: Array<FieldFaultView>, 
+/**
+ * Problems that the sentences cause, in the words of the program.
+ */
+problems: Array<ProblemView>, 
+/**
+ * Warnings about the sentences.
+ */
+warnings: Array<ProblemView>, 
+/**
+ * In the order of the text; empty if the sentences cannot be written.
+ */
+edits: Array<TextEditView>, };
+
+export type FieldFaultView = { 
+/**
+ * The JSON pointer of the field, such as `/when/lasts_s`; empty for the whole statement.
+ */
+field: string, what: string, hint: string | null, };
+
+export type TextEditView = { line: number, column: number, to_line: number, to_column: number, insert: string, };
+
 export type FreeTextRequest = { draft: Draft, 
 /**
  * The routine of the resident.

@@ -14,7 +14,7 @@ pub mod logger;
 pub mod remarks;
 pub mod schema;
 pub mod scheme;
-pub(crate) mod shape;
+pub mod shape;
 pub mod source;
 
 use schemars::JsonSchema;

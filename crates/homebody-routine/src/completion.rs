@@ -125,7 +125,7 @@ fn usual_severities() -> impl Iterator<Item = &'static str> {
     severities().filter(|word| ["mild", "moderate", "severe"].contains(word))
 }
 
-fn is_about_him(text: &str) -> bool {
+pub(crate) fn is_about_him(text: &str) -> bool {
     let count = |wanted: &str| {
         let words = text.split(|c: char| !c.is_alphanumeric());
         words.filter(|word| word.eq_ignore_ascii_case(wanted)).count()

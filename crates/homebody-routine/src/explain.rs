@@ -1,5 +1,6 @@
 //! The meaning of a routine, sentence by sentence, in numbers and in words.
 
+use crate::completion::is_about_him;
 use crate::language::activities::phrase;
 use crate::language::canonical::{MONTHS, WEEKDAYS};
 use crate::routine::{
@@ -130,9 +131,18 @@ fn explain_statement((said, statement): &(Quote, Statement)) -> ExplanationRow {
 /// A canonical sentence says "she"; of a man, whom the text calls "he", it says "he".
 fn in_the_same_voice(said: &str, sentence: String) -> String {
     let mut words = said.split(|c: char| !c.is_alphabetic()).map(str::to_lowercase);
-    if !words.any(|word| ["he", "his", "him", "himself"].contains(&word.as_str())) {
-        return sentence;
+    match words.any(|word| ["he", "his", "him", "himself"].contains(&word.as_str())) {
+        true => about_him(&sentence),
+        false => sentence,
     }
+}
+
+/// A canonical sentence for a routine, which may be about a man.
+pub fn in_the_voice_of(routine: &str, sentence: &str) -> String {
+    if is_about_him(routine) { about_him(sentence) } else { sentence.to_owned() }
+}
+
+fn about_him(sentence: &str) -> String {
     let as_he = |word: &str| match word {
         "she" => Some("he"),
         "She" => Some("He"),

@@ -86,6 +86,34 @@ pub fn place(said: &Quote, text: &str) -> Range<usize> {
     line.start + before..line.start + before + said.text.len()
 }
 
+/// The whole sentence that has these words, with its full stop; of a note, from "Note:" on.
+pub fn sentence_place(said: &Quote, text: &str) -> Range<usize> {
+    let words = place(said, text);
+    let line = words::lines(text)[said.line as usize - 1];
+    let begin = line.start + line.text.len() - line.text.trim_start().len();
+    if text[begin..words.start].trim_end().eq_ignore_ascii_case(NOTE) {
+        return begin..words.end;
+    }
+    let lexicon = language_of(text).0.unwrap_or(Lexicon::built_in());
+    let sentences = words::sentences(line, &|word| lexicon.is_word("after-ordinals", word));
+    let spans = sentences.iter().map(Sentence::span);
+    let span = spans.into_iter().find(|span| span.start <= words.start && words.end <= span.end);
+    let (start, end) = span.map_or((words.start, words.end), |span| (span.start, span.end));
+    let after = text[end..line.start + line.text.len()].split('#').next().unwrap_or_default();
+    let signs = after.split(char::is_alphanumeric).next().unwrap_or_default();
+    let closing = match signs.find(['.', '!', '?', ';']) {
+        Some(stop) => stop + 1,
+        None if signs == after => signs.trim_end().len(),
+        None => 0,
+    };
+    start..end + closing
+}
+
+/// True for a routine in English, the language of canonical sentences.
+pub fn is_english(text: &str) -> bool {
+    language_of(text).0.is_none_or(|language| std::ptr::eq(language, Lexicon::built_in()))
+}
+
 pub fn severities() -> impl Iterator<Item = &'static str> + Clone {
     SEVERITIES.split('|')
 }
@@ -272,8 +300,12 @@ impl TextReader<'_> {
                 person.pace_mps = Some(pace);
                 person.pace_said.replace(said).is_some()
             }
-            PersonFact::Rests(rests) => person.rests.replace(rests).is_some(),
+            PersonFact::Rests(rests) => {
+                person.rests_said = Some(said);
+                person.rests.replace(rests).is_some()
+            }
             PersonFact::Kind(kind) => {
+                person.kind_said = Some(said);
                 std::mem::replace(&mut person.kind, kind) != crate::routine::ResidentKind::default()
             }
         };

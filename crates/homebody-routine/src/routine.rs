@@ -45,11 +45,15 @@ pub struct RoutinePerson {
     /// Rests on the way.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rests: Option<WalkRests>,
-    /// The sentences with age and pace.
+    /// The sentences with kind, age, pace and rests.
+    #[serde(skip)]
+    pub kind_said: Option<Quote>,
     #[serde(skip)]
     pub age_said: Option<Quote>,
     #[serde(skip)]
     pub pace_said: Option<Quote>,
+    #[serde(skip)]
+    pub rests_said: Option<Quote>,
 }
 
 /// Rests of a person who cannot walk far at a time.

@@ -8,6 +8,8 @@ mod routines;
 mod log;
 mod naming;
 mod plan;
+mod sentence_edits;
+mod statements;
 mod suggestion_progress;
 
 pub use routines::sentence_view;

@@ -314,6 +314,29 @@ homebody_core::messages! {
             hint ("add the name of the file, such as \"home\": \"home.json\"");
         /// The page explains a routine as its resident uses it. This routine has no resident.
         UnusedRoutine error "unused-routine" ("no resident uses this routine");
+        /// The form of *Life* writes sentences in English. A routine in another language does not read them.
+        OtherLanguage error "other-language" ("this routine is in another language, and the form writes English sentences")
+            hint ("write the sentence as text");
+        /// A sentence says something about the resident. The statement of the form has no value yet that a sentence says.
+        NothingSaid error "nothing-said" ("the statement says nothing yet")
+            hint ("fill in a field");
+        /// The form replaces the sentence of a statement. Another window may have changed the routine.
+        NoStatement error "no-statement" ("the routine has no such statement any more")
+            hint ("close the form and open it again");
+        /// A routine is about one person, whose age, pace and rests are one statement.
+        SecondPerson error "second-person" ("the routine already has a statement about the person")
+            hint ("edit that statement");
+        /// The program reads the text again with the new sentence. Another sentence of it then has another meaning, for example because
+        /// of the heading above it.
+        ChangesOthers error "changes-others" ("here the sentence changes the meaning of another sentence")
+            hint ("put it after another sentence, or write it as text");
+        /// The program reads the sentence of a statement again. It then reads another value of a field: the language has no words for the
+        /// value of the form.
+        NotSaid {
+            /// The JSON pointer of the field.
+            field: String,
+        } error "not-said" ("no sentence says this value")
+            hint ("choose another value, or leave the field empty");
         /// A sheet has the devices of a home. The file of this home has problems.
         HomeProblems {
             /// The problems, each with its file.

@@ -138,6 +138,8 @@ fn draft_routes() -> Router<OpenHome> {
                 .post(answer(json, |home, Json(asked), cancel| Ok(home.drafts.suggest(asked, cancel)))),
         )
         .route("/api/explain", post(answer(json, |home, Json(asked), _| Ok(home.drafts.explain(asked)))))
+        .route("/api/statements", post(answer(json, |home, Json(asked), _| Ok(home.drafts.statements(asked)))))
+        .route("/api/statement", post(answer(json, |home, Json(asked), _| Ok(home.drafts.write_statement(asked)))))
         .route(
             "/api/free-text",
             get(answer(json, |home, (), _| Ok(home.free_text.now())))

@@ -14,6 +14,7 @@ mod search;
 mod installing;
 mod library;
 mod silhouettes;
+mod statements;
 
 pub use care::*;
 pub use draft::*;
@@ -22,6 +23,7 @@ pub use installing::*;
 pub use library::*;
 pub use search::*;
 pub use silhouettes::*;
+pub use statements::*;
 
 use homebody_log::MovementKind;
 use homebody_simulation::RunOptions;

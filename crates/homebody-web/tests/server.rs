@@ -11,6 +11,7 @@ mod locating;
 mod naming;
 mod served;
 mod slow;
+mod statements;
 mod two_servers;
 mod underlay;
 mod watching;

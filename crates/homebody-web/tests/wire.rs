@@ -14,6 +14,8 @@ use homebody_log::MovementKind;
 use homebody_placement::search::Reached;
 use homebody_query::search::SearchSubject;
 use homebody_routine::completion::{Completion, CompletionKind};
+use homebody_routine::language::activities::phrase;
+use homebody_routine::routine::Activity;
 use homebody_simulation::RunOptions;
 use homebody_web::wire::*;
 use serde_json::json;
@@ -118,6 +120,13 @@ fn declarations() -> Vec<String> {
         ExplainView,
         SentenceView,
         ConditionView,
+        StatementsView,
+        StatementView,
+        SentencePlace,
+        WriteStatement,
+        WrittenStatementView,
+        FieldFaultView,
+        TextEditView,
         FreeTextRequest,
         Answerer,
         FreeTextView,
@@ -245,7 +254,12 @@ fn the_page_has_all_activities() {
     for (kind, words) in KIND_WORDS {
         text += &format!("  ['{}', {}],\n", key(kind), format!("{words:?}").replace('"', "'"));
     }
-    text += &format!("];\n\n/** The activity of a person who is out of the home. */\nexport const AWAY = '{AWAY}';\n");
+    text += "];\n\n/** The usual words for the activities that a routine can name, by their label. */\n";
+    text += "export const SAID: ReadonlyMap<string, string> = new Map([\n";
+    for activity in Activity::all_of_table() {
+        text += &format!("  ['{}', '{}'],\n", activity.label(), phrase(&activity));
+    }
+    text += &format!("]);\n\n/** The activity of a person who is out of the home. */\nexport const AWAY = '{AWAY}';\n");
     is_generated("web/src/activities.ts", &text);
 }
 

@@ -3,7 +3,7 @@
 
 import { encode } from '@msgpack/msgpack';
 import { Refused, type Fetch } from '../server';
-import type { CheckView, Completion, Draft, Explain, ExplainView, FilesView, Month, MonthView, ProblemView, Save, SavedView } from '../wire';
+import type { CheckView, Completion, Draft, Explain, ExplainView, FilesView, Month, MonthView, ProblemView, Save, SavedView, StatementsView, WriteStatement, WrittenStatementView } from '../wire';
 import { date } from './dates';
 
 const HOUR_US = 3_600_000_000;
@@ -61,6 +61,30 @@ function explained(file: string, text: string): ExplainView {
   };
 }
 
+const LINE = /^( *)(she )(\w+) (.*)$/;
+
+/** A statement for each line such as `she reads …`. */
+function stated(text: string): StatementsView {
+  const statements = text.split('\n').flatMap((line, index): StatementsView['statements'] => {
+    const found = LINE.exec(line);
+    if (found === null) return [];
+    const [, indent, , activity] = found;
+    return [{ places: [{ line: index + 1, column: indent!.length + 1, length: line.length - indent!.length }], statement: { kind: 'habit', activity, when: {} }, sentences: [`She ${activity}.`] }];
+  });
+  return { problems: [], statements };
+}
+
+/** A statement as `She reads in the bed.`; nobody juggles. */
+function written({ statement, instead, line }: WriteStatement, file: string, text: string): WrittenStatementView {
+  const { activity, place } = statement as { activity?: string; place?: string };
+  const sentence = `She ${activity}${place ? ` in the ${place}` : ''}.`;
+  const of = instead === null ? null : stated(text).statements[instead]!.places[0]!;
+  const end = (text.split('\n')[line - 1] ?? '').length + 1;
+  const edit = of ? { line: of.line, column: of.column, to_line: of.line, to_column: of.column + of.length, insert: sentence } : { line, column: end, to_line: line, to_column: end, insert: `\n${sentence}` };
+  const problems: ProblemView[] = activity === 'juggles' ? [{ file, line, column: 1, width: 1, what: 'nobody juggles', hint: 'choose another activity' }] : [];
+  return { sentences: [sentence], meaning: explained(file, sentence).sentences, faults: [], problems, warnings: [], edits: problems.length > 0 ? [] : [edit] };
+}
+
 /** Two weeks or more from 2 March on; the 8th has 23 hours; with a condition she gets up later. */
 function lived({ from, days, without }: Month, shows: boolean, names: string[]): MonthView {
   const later = shows && !without.includes('depression') ? 1.5 * HOUR_US : 0;
@@ -111,6 +135,14 @@ export function fakeLives(names: string[] = ['Agnes'], files: Map<string, string
       case '/api/explain': {
         const { draft, file } = body as Explain;
         return Response.json(explained(file, laid(draft).get(file) ?? ''));
+      }
+      case '/api/statements': {
+        const { draft, file } = body as Explain;
+        return Response.json(stated(laid(draft).get(file) ?? ''));
+      }
+      case '/api/statement': {
+        const asked = body as WriteStatement;
+        return Response.json(written(asked, asked.file, laid(asked.draft).get(asked.file) ?? ''));
       }
       case '/api/month': {
         const month = body as Month;

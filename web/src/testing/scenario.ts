@@ -1,7 +1,7 @@
 // A made-up scenario with all its files, for looking at the page without a server.
 
 import type { Fetch } from '../server';
-import type { Draft, Explain, FilesView, HomeView, Month } from '../wire';
+import type { Draft, Explain, FilesView, HomeView, Month, WriteStatement } from '../wire';
 import { FakeFiles } from './files';
 import { fakeLives } from './life';
 import { madeUpLogger } from './logger';
@@ -20,6 +20,8 @@ export async function madeUpScenario(home: HomeView, residents: string[]): Promi
     '/api/plan': ({ texts: drafts }: Draft) => planned(drafts['home.json'] ?? texts['home.json']),
     '/api/check': (draft: Draft) => ask('/api/check', routines(draft)),
     '/api/explain': ({ draft, file }: Explain) => ask('/api/explain', { draft: routines(draft), file }),
+    '/api/statements': ({ draft, file }: Explain) => ask('/api/statements', { draft: routines(draft), file }),
+    '/api/statement': (asked: WriteStatement) => ask('/api/statement', { ...asked, draft: routines(asked.draft) }),
     '/api/month': (month: Month) => ask('/api/month', { ...month, draft: routines(month.draft) }),
   }).fetch;
 }

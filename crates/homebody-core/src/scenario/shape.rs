@@ -22,6 +22,7 @@ const MOST_FOUND: usize = 1_000;
 /// The faults of a source's shape.
 #[derive(Debug, Default)]
 pub struct Misshape {
+    /// All faults, in the order of the text.
     pub problems: Vec<Problem>,
     /// The unknown keys, by position, with the intended ones. If there are as many as problems, the rest can be read.
     pub keys: Misspelt,
@@ -133,8 +134,10 @@ impl<'a> ShapeCheck<'a> {
             let (subject, wanted) = (subject.into(), format!("{wanted} {noun}"));
             self.report(node.start, SchemaMessage::WrongCount { subject, wanted, count, help });
         }
-        let Some(schema) = schema.get("items") else { return };
+        let each = branches(schema, "items");
         for (index, item) in items.iter().enumerate() {
+            // Items of a list of a fixed length may each have a schema.
+            let Some(schema) = each.map_or_else(|| schema.get("items"), |each| each.get(index)) else { continue };
             self.value(item, schema, &format!("item {} of {subject}", index + 1));
         }
     }

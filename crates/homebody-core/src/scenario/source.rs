@@ -134,6 +134,30 @@ impl JsonSource {
         self.places.line(at)
     }
 
+    /// The JSON pointer of the innermost key or item at a line and a column; empty for the whole text.
+    pub fn pointer_at(&self, line: u32, column: u32) -> String {
+        let start = self.places.start(line as usize);
+        let before = self.text.get(start..).unwrap_or_default().chars().take(column.saturating_sub(1) as usize);
+        let at = start + before.map(char::len_utf8).sum::<usize>();
+        let (mut pointer, mut node) = (String::new(), &self.root);
+        loop {
+            let inner = match &node.value {
+                NodeValue::Object(entries) => {
+                    let entry = entries.iter().find(|(key, value)| (key.start..value.end).contains(&at));
+                    entry.map(|(key, value)| (pointer_part(&key.name), value))
+                }
+                NodeValue::List(items) => {
+                    let item = items.iter().enumerate().find(|(_, item)| (item.start..item.end).contains(&at));
+                    item.map(|(index, item)| (index.to_string(), item))
+                }
+                _ => None,
+            };
+            let Some((part, value)) = inner else { return pointer };
+            pointer += &format!("/{part}");
+            node = value;
+        }
+    }
+
     fn find(&self, pointer: &str) -> (usize, usize) {
         let (mut key_start, mut node) = (self.root.start, &self.root);
         for part in pointer.split('/').skip(1) {

@@ -167,7 +167,7 @@ pub fn days_words(days: &DaySelection) -> Vec<String> {
     let of_month = match days.of_month {
         all if all == DaySelection::ALL.of_month => None,
         DaySelection::LAST_WEEK if is_one => Some(format!("on the last {weekdays} of {in_month}")),
-        (first, last) if is_one && last == first + 6 && first % 7 == 1 && last <= 28 => {
+        (first, last) if is_one && first % 7 == 1 && first <= 22 && last == first + 6 => {
             Some(format!("on the {} {weekdays} of {in_month}", ORDINALS[usize::from(first) / 7]))
         }
         (first, last) if first == last => Some(format!("on day {first} of {in_month}")),

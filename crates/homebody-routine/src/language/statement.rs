@@ -3,7 +3,10 @@
 //! Their JSON has a kind, the fields of that kind, and `when`: the days, the time, the length and the frequency.
 
 use super::canonical;
-use crate::routine::{Activity, Effect, Habit, Quote, Routine, RoutineChange, RoutinePerson, RoutineRule};
+use crate::routine::{Activity, Effect, Habit, PhaseDay, Quote, Routine, RoutineChange, RoutinePerson, RoutineRule};
+use homebody_core::problem::Problem;
+use homebody_core::scenario::shape;
+use homebody_core::scenario::source::JsonSource;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
@@ -35,7 +38,56 @@ pub enum Statement {
     Note { text: String },
 }
 
+/// A fault in the JSON of a statement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StatementFault {
+    /// The JSON pointer of the field; empty for the statement as a whole.
+    pub field: String,
+    pub problem: Problem,
+}
+
+/// The fields with a day, such as "day 40".
+const DAY_FIELDS: [&str; 3] = ["/when/phase/from", "/when/phase/until", "/when/chance/becomes/1"];
+
 impl Statement {
+    /// The statement of a JSON text, or all faults of the text.
+    pub fn read(text: &str) -> Result<Statement, Vec<StatementFault>> {
+        const NAME: &str = "statement";
+        let source =
+            JsonSource::parse(NAME, text).map_err(|problem| vec![StatementFault { field: String::new(), problem }])?;
+        let (_, mut schema) = Statement::list_schema();
+        schema["$ref"] = "#/definitions/Statement".into();
+        let fault =
+            |problem: Problem| StatementFault { field: source.pointer_at(problem.line, problem.column), problem };
+        let mut faults: Vec<StatementFault> = shape::check(&source, &schema).problems.into_iter().map(fault).collect();
+        let json = source.root.to_json();
+        let days = DAY_FIELDS.into_iter().filter_map(|field| Some((field, json.pointer(field)?.as_str()?)));
+        faults.extend(days.filter_map(|(field, day)| {
+            let why = PhaseDay::try_from(day.to_owned()).err()?;
+            Some(StatementFault { field: field.to_owned(), problem: Problem::of_file(NAME, why, None) })
+        }));
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let whole = |why: serde_json::Error| {
+            vec![StatementFault { field: String::new(), problem: Problem::of_file(NAME, why.to_string(), None) }]
+        };
+        serde_json::from_value(json).map(Statement::with_own_kind).map_err(whole)
+    }
+
+    /// With the kind that its sentence has: "she goes to bed" is about sleep.
+    fn with_own_kind(self) -> Statement {
+        match self {
+            Statement::Habit(habit)
+            | Statement::Sleep(habit)
+            | Statement::Away(habit)
+            | Statement::Visit(habit)
+            | Statement::Event(habit) => Statement::from_habit(habit),
+            Statement::Change(change) | Statement::Thing(change) => Statement::from_change(change),
+            other => other,
+        }
+    }
+
     pub fn from_habit(habit: Habit) -> Statement {
         match habit.activity {
             _ if habit.visitor.is_some() => Statement::Visit(habit),

@@ -7,7 +7,7 @@ use crate::dates;
 use crate::messages::DraftMessage;
 use crate::wire::{ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView};
 use homebody_core::problem::{Diagnose, Diagnostic, Problem};
-use homebody_core::scenario::load::{ResidentDriver, Scenario};
+use homebody_core::scenario::load::{Overlay, ResidentDriver, Scenario};
 use homebody_routine::explain::{self, Explanation, ExplanationKind, Spread, explain};
 use homebody_routine::household::{Household, RoutineReading};
 use homebody_routine::routine::Routine;
@@ -17,22 +17,58 @@ use std::sync::PoisonError;
 /// Largest number of days of a month.
 const LONGEST: u32 = 31;
 
-impl DraftService {
-    pub fn explain(&self, Explain { draft, file: asked }: Explain) -> ExplainView {
-        let files = self.with(draft);
-        let scenario = match Scenario::load(&files, &self.folders.entry) {
-            Ok(scenario) => scenario,
-            Err(wrong) => return not_understood(problems(&wrong.0)),
-        };
+/// The routine of a resident in a draft without problems in its other files.
+pub(super) struct DraftRoutine<'f> {
+    files: &'f Overlay<'f>,
+    pub scenario: Scenario,
+    resident: usize,
+}
+
+impl<'f> DraftRoutine<'f> {
+    /// The routine in a file, or the problems of the draft. A routine without a resident is a problem.
+    pub fn open(files: &'f Overlay<'f>, entry: &str, asked: &str) -> Result<DraftRoutine<'f>, Vec<Problem>> {
+        let scenario = Scenario::load(files, entry).map_err(|wrong| wrong.0)?;
         let is_asked =
             |driver: &ResidentDriver| matches!(driver, ResidentDriver::Routine { file, .. } if *file == asked);
         let resident = scenario.residents.iter().position(|resident| is_asked(&resident.driver));
-        let Some(known) = resident.and_then(|resident| Household::understand(&scenario, &files, resident)) else {
-            let unused = Problem::of_file(&asked, DraftMessage::UnusedRoutine, None);
-            return not_understood(problems(&[unused]));
+        let unused = || vec![Problem::of_file(asked, DraftMessage::UnusedRoutine, None)];
+        Ok(DraftRoutine { files, resident: resident.ok_or_else(unused)?, scenario })
+    }
+
+    pub fn text(&self) -> &str {
+        match &self.scenario.residents[self.resident].driver {
+            ResidentDriver::Routine { text, .. } => text,
+            _ => "",
+        }
+    }
+
+    pub fn with_text(mut self, fresh: &str) -> DraftRoutine<'f> {
+        if let ResidentDriver::Routine { text, .. } = &mut self.scenario.residents[self.resident].driver {
+            *text = fresh.into();
+        }
+        self
+    }
+
+    pub fn reading(&self) -> Option<RoutineReading> {
+        Household::understand(&self.scenario, self.files, self.resident)
+    }
+
+    /// The number of days of the scenario.
+    pub fn days(&self) -> i32 {
+        let length = self.scenario.calendar.span_of_days(self.scenario.file.days);
+        dates::last_day(&self.scenario.calendar, length) as i32 + 1
+    }
+}
+
+impl DraftService {
+    pub fn explain(&self, Explain { draft, file: asked }: Explain) -> ExplainView {
+        let files = self.with(draft);
+        let asked = match DraftRoutine::open(&files, &self.folders.entry, &asked) {
+            Ok(routine) => routine,
+            Err(wrong) => return not_understood(problems(&wrong)),
         };
-        let length = scenario.calendar.span_of_days(scenario.file.days);
-        let days = dates::last_day(&scenario.calendar, length) + 1;
+        let Some(known) = asked.reading() else { return ExplainView::default() };
+        let (days, calendar) = (asked.days() as u32, &asked.scenario.calendar);
         let condition = |(name, routine): (&String, &Routine)| ConditionView {
             name: name.clone(),
             severity: (0..days).map(|day| known.severity(name, day as i32)).collect(),
@@ -41,9 +77,9 @@ impl DraftService {
         let RoutineReading { routine, unsaid, conditions, problems: wrong, words, .. } = &known;
         ExplainView {
             problems: problems(wrong),
-            first: dates::date(&scenario.calendar, 0),
+            first: dates::date(calendar, 0),
             days,
-            sentences: views(explain(routine).dated(&scenario.calendar, days as i32)),
+            sentences: views(explain(routine).dated(calendar, asked.days())),
             unsaid: sentences(unsaid),
             conditions: conditions.iter().map(condition).collect(),
             words: words.clone(),

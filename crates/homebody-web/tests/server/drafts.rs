@@ -484,6 +484,8 @@ fn writes_nothing_without_the_token_or_for_another_page() {
         "/api/check",
         "/api/plan",
         "/api/explain",
+        "/api/statements",
+        "/api/statement",
         "/api/month",
         "/api/rows",
         "/api/connect",

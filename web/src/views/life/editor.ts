@@ -2,11 +2,12 @@
 // sheets there, but no style elements.
 
 import { type CompletionContext, type CompletionResult, autocompletion, insertCompletionText, pickedCompletion } from '@codemirror/autocomplete';
-import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { type Diagnostic, forEachDiagnostic, lintKeymap, setDiagnostics } from '@codemirror/lint';
-import { Annotation, EditorState, type Extension, type Range, StateEffect, StateField, type Text } from '@codemirror/state';
+import { Annotation, EditorState, type Extension, type Range, StateEffect, StateField, Text } from '@codemirror/state';
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
-import type { ProblemView, Completion } from '../../wire';
+import { unitsAfter } from '../../places';
+import type { Completion, ProblemView, TextEditView } from '../../wire';
 import { replacements, offers } from './completions';
 import { placeOf } from './marks';
 import { look } from './look';
@@ -93,6 +94,19 @@ export class RoutineEditor {
     this.view.dispatch({ selection: { anchor: head }, effects: EditorView.scrollIntoView(head, { y: 'nearest', yMargin: 40 }) });
   }
 
+  /** Changes the text as one step of the undo history, and goes to the end of the last change. */
+  write(edits: readonly TextEditView[]): void {
+    const { doc } = this.view.state;
+    const at = (line: number, column: number) => {
+      const of = doc.line(Math.min(Math.max(line, 1), doc.lines));
+      return of.from + unitsAfter(of.text, column - 1);
+    };
+    const changes = this.view.state.changes(edits.map((edit) => ({ from: at(edit.line, edit.column), to: at(edit.to_line, edit.to_column), insert: Text.of(edit.insert.split('\n')) })));
+    let head = 0;
+    changes.iterChanges((_, __, ___, end) => (head = end));
+    this.view.dispatch({ changes, selection: { anchor: head }, effects: EditorView.scrollIntoView(head, { y: 'nearest', yMargin: 40 }), annotations: isolateHistory.of('full'), userEvent: 'input' });
+  }
+
   /** Follows these lines from now on, wherever they move. */
   follow(lines: readonly number[]): void {
     const { doc } = this.view.state;
@@ -114,8 +128,14 @@ export class RoutineEditor {
   }
 
   get line(): number {
+    return this.cursor.line;
+  }
+
+  /** The place of the cursor, from 1, in characters. */
+  get cursor(): { line: number; column: number } {
     const { doc, selection } = this.view.state;
-    return doc.lineAt(selection.main.head).number;
+    const { number, from, text } = doc.lineAt(selection.main.head);
+    return { line: number, column: [...text.slice(0, selection.main.head - from)].length + 1 };
   }
 
   get scroll(): { top: number; height: number } {

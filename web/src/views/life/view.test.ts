@@ -181,7 +181,7 @@ test('other days are asked for, and never beyond the last', async () => {
 test('a condition is added as a sentence', async () => {
   const files = new Map([['0.routine', ROUTINE]]);
   await begin(fakeLives(['Agnes'], files));
-  button('Add').click();
+  region('Conditions').querySelector('button')!.click();
   flushSync();
   document.querySelector<HTMLFormElement>('form')!.dispatchEvent(new SubmitEvent('submit', { bubbles: true, cancelable: true }));
   for (let turn = 0; turn < 5; turn++) await settle();
@@ -230,6 +230,49 @@ test('nobody who lives by a routine, and a routine that is not there', async () 
   await begin(fakeLives(['Agnes'], new Map()));
   expect(document.body.textContent).toContain('Cannot read the routine');
   expect(document.body.textContent).toContain('0.routine is missing');
+});
+
+/** The field of a label in the form of a statement. */
+const fieldIn = (label: string) => [...document.querySelectorAll<HTMLLabelElement>('dialog[open] label')].find((one) => one.textContent!.trim().startsWith(label))!.control as HTMLInputElement;
+
+async function filled(field: HTMLInputElement, value: string): Promise<void> {
+  write(field, value);
+  for (let turn = 0; turn < 6; turn++) await settle();
+}
+
+test('a statement is added by its form, and its problems stand in the way', async () => {
+  await begin();
+  button('Add a statement').click();
+  await settle();
+  const dialog = document.querySelector('dialog[open]')!;
+  await filled(fieldIn('Activity'), 'juggles');
+  expect(dialog.textContent).toContain('nobody juggles');
+  expect(dialog.textContent).toContain('choose another activity');
+  expect(button('Insert').disabled).toBe(true);
+  await filled(fieldIn('Activity'), 'knits');
+  await filled(fieldIn('Place'), 'bed');
+  expect(dialog.querySelector('[aria-label="Sentence"]')!.textContent).toContain('She knits in the bed.');
+  expect(live.drafts.text('0.routine')).toBe(ROUTINE);
+  button('Insert').click();
+  for (let turn = 0; turn < 4; turn++) await settle();
+  expect(document.querySelector('dialog[open]')).toBeNull();
+  expect(live.drafts.text('0.routine')).toBe(ROUTINE.replace('\n', '\nShe knits in the bed.\n'));
+});
+
+test('the sentence at the cursor is edited by its form, and a line without one has none', async () => {
+  await begin();
+  button('Edit as a form').click();
+  for (let turn = 0; turn < 3; turn++) await settle();
+  expect(document.body.textContent).toContain('Line 1 has no sentence that is understood.');
+  await unmount(view);
+  const text = 'she reads for 1 hour\n';
+  await begin(fakeLives(['Agnes'], new Map([['0.routine', text]])));
+  button('Edit as a form').click();
+  for (let turn = 0; turn < 6; turn++) await settle();
+  await filled(fieldIn('Activity'), 'sings');
+  button('Replace').click();
+  for (let turn = 0; turn < 4; turn++) await settle();
+  expect(live.drafts.text('0.routine')).toBe('She sings.\n');
 });
 
 test('hostile names are text', async () => {

@@ -4,28 +4,9 @@
 import schema from '../../../../schemas/home.schema.json';
 import { DEVICES } from '../../devices';
 import type { Path } from '../../json';
+import { type RootSchema, type Schema, aboutOf, resolved as resolvedIn } from '../../json-schema';
 import { spoken } from '../../plan/words';
 import type { Element, List, Value } from './model';
-
-type Schema = {
-  $ref?: string;
-  type?: string | string[];
-  properties?: Record<string, Schema>;
-  required?: string[];
-  items?: Schema;
-  oneOf?: Schema[];
-  allOf?: Schema[];
-  anyOf?: Schema[];
-  const?: string;
-  default?: unknown;
-  description?: string;
-  minimum?: number;
-  maximum?: number;
-  exclusiveMinimum?: number;
-  minItems?: number;
-  maxItems?: number;
-  maxLength?: number;
-};
 
 export type Unit = 'm' | '°' | 's' | '°C' | 'lx' | 'W' | '%' | '/min' | 'a second' | '';
 
@@ -59,7 +40,7 @@ export type Field = {
   | { form: 'way'; options: (Option & { fields: Field[]; plain: boolean })[] }
 );
 
-const root = schema as unknown as Schema & { definitions: Record<string, Schema> };
+const root = schema as unknown as RootSchema;
 
 /** A longer suffix comes before one that it ends with. */
 const UNITS: [suffix: string, unit: Unit][] = [
@@ -89,10 +70,7 @@ const CHOICES: Record<string, string> = {
   ...Object.fromEntries(DEVICES.map(({ key, name }) => [`preset ${key}`, name])),
 };
 
-function resolved(of: Schema): Schema {
-  const ref = of.$ref ?? of.allOf?.[0]?.$ref ?? of.anyOf?.find(({ $ref }) => $ref !== undefined)?.$ref;
-  return ref === undefined ? of : { ...root.definitions[ref.split('/').at(-1)!]!, ...of };
-}
+const resolved = (of: Schema) => resolvedIn(root, of);
 
 function unitOf(key: string): [Unit, string] {
   const found = UNITS.find(([suffix]) => key.endsWith(suffix));
@@ -114,7 +92,7 @@ function field(key: string, raw: Schema, path: Path, required: boolean): Field |
   const of = resolved(raw);
   const [unit] = unitOf(key);
   const types = [of.type ?? []].flat();
-  const about = (of.description ?? '').replaceAll('\n', ' ').replaceAll('`', '');
+  const about = aboutOf(of);
   const base = { path: [...path, key], label: labelOf(key), about, unit, required, fallback: of.default };
   if (key === 'on' || key === 'room') return { ...base, form: 'bearer' };
   if (of.oneOf) {
@@ -170,5 +148,5 @@ export function homeFields(): Field[] {
 
 /** The description of a kind of sensor. */
 export function aboutKind(kind: string): string {
-  return schemaOf('sensors', { kind })?.description?.replaceAll('\n', ' ').replaceAll('`', '') ?? '';
+  return aboutOf(schemaOf('sensors', { kind }) ?? {});
 }
