@@ -75,7 +75,7 @@ fn the_numbers_of_a_life_that_is_known_are_found_again() {
     assert!(sees_less(of("hallway")), "{sights:?}");
     assert!(of("hallway middle")["reach"].as_f64().unwrap() < 0.8, "{sights:?}");
     let as_they_were = sights.iter().filter(|sight| sight["reach"] == 1.0 && sight["missed"] == 0.12).count();
-    assert!(sights.len() > 10 && as_they_were * 10 > sights.len() * 6, "{sights:?}");
+    assert!(sights.len() > 10 && as_they_were * 2 > sights.len(), "{sights:?}");
     folder.run("check fitted").ok();
     folder.run("fit casas:log.txt --home known --out fitted").fails(1, "[kit::exists]: fitted");
 }
