@@ -119,7 +119,7 @@ impl DrawnLife {
         DrawnLife::endless(seed, days).take_while(|life| life.first < count).collect()
     }
 
-    /// The first lives of the draw.
+    /// Draws the first homes and routines.
     pub fn draw_lives(lives: usize, seed: u64, days: &RangeInclusive<i32>) -> Vec<DrawnLife> {
         DrawnLife::endless(seed, days).take(lives).collect()
     }
