@@ -412,3 +412,11 @@ fn nobody_has_a_snack_just_before_a_meal() {
         assert!(!meals.iter().any(|meal| soon.contains(*meal)), "a snack before a meal, {snack:?}");
     }
 }
+
+#[test]
+fn a_usual_outing_does_not_delay_a_meal_that_something_comes_before() {
+    let lived = simulate(BASE, "She rests in bed 50 minutes before lunch for 70 minutes.", 60);
+    let gaps = minutes_after(&lived, "resting_in_bed", &lived.firsts("eating_lunch"));
+    let near = gaps.iter().filter(|gap| **gap <= 70.0).count();
+    assert!(gaps.len() > 50 && near * 10 > gaps.len() * 9, "{near} of {} {gaps:?}", gaps.len());
+}

@@ -346,7 +346,10 @@ impl DrawnChange {
                 add("size", expected - 0.03, expected + 0.03, moved, "m/s");
             }
             Effect::Later(by) => {
-                let starts = |filter: &Filter| trimmed(of(filter).iter().map(|one| one.clock_min).collect());
+                // Times after midnight follow those before.
+                let base = of(&before).first().map_or(0.0, |one| one.clock_min);
+                let around = |minute: f64| (minute - base + 720.0).rem_euclid(1440.0) - 720.0;
+                let starts = |filter: &Filter| trimmed(of(filter).iter().map(|one| around(one.clock_min)).collect());
                 let (first, then) = (starts(&before), starts(&during));
                 let error = mean_error(spread(&first), first.len()) + mean_error(spread(&then), then.len());
                 let (low, high) = near(by, error + 5.0);

@@ -9,7 +9,7 @@ use super::driver::RoutineDriver;
 use super::item::Item;
 use super::manner::Manner;
 use super::places::HomePlace;
-use super::script::{ActivityStep, Interruptible, StayStep};
+use super::script::{ActivityStep, AwaitedGuest, Interruptible, StayStep};
 use crate::routine::Activity;
 use homebody_core::activity::VISITING;
 use homebody_core::drivers::{Next, PlacedBody};
@@ -384,18 +384,25 @@ impl RoutineDriver {
         None
     }
 
-    /// The host waits at the door until the visitor is in, or gone, or does not come in time.
-    pub(super) fn await_visitor(&mut self, arrival: bool, left: Span) {
+    /// The host waits at the door until the visitor is in, at the door or gone, or does not come in time.
+    pub(super) fn await_visitor(&mut self, awaited: AwaitedGuest, left: Span) {
         let guest = self.scripts.last().and_then(|playing| playing.guest);
-        if guest.is_none_or(|guest| self.company.is_here(guest.who) == arrival) {
+        let door = self.places.for_role(Role::FrontDoor);
+        let is_at_door = |who| door.is_none_or(|door| self.company.is_at_door(who, door));
+        let is_there = |who| match awaited {
+            AwaitedGuest::In => self.company.is_here(who),
+            AwaitedGuest::AtDoor => !self.company.is_here(who) || is_at_door(who),
+            AwaitedGuest::Out => !self.company.is_here(who),
+        };
+        if guest.is_none_or(|guest| is_there(guest.who)) {
             return;
         }
         let posture = self.body.posture();
         let Some(playing) = self.scripts.last_mut() else { return };
         if left > Span::ZERO {
-            playing.steps.push_front(ActivityStep::Await { arrival, left: left - RING });
+            playing.steps.push_front(ActivityStep::Await { guest: awaited, left: left - RING });
             playing.steps.push_front(staying(posture, Manner::TALKING, RING));
-        } else if arrival {
+        } else if awaited == AwaitedGuest::In {
             // The visit is off, so the door is shut again.
             playing.steps.truncate(1);
         }

@@ -192,6 +192,22 @@ impl Drafts<'_> {
                 break;
             }
         }
+        self.await_meals();
+    }
+
+    /// Marks the meals that stated activities come before.
+    fn await_meals(&mut self) {
+        let stated = self.list.iter().filter(|draft| !draft.item.is_unsaid && !draft.is_left_out);
+        let meals: Vec<Meal> = stated
+            .filter_map(|draft| match draft.start {
+                ItemStart::Before(Activity::Eat(meal), _) => Some(meal),
+                _ => None,
+            })
+            .collect();
+        let is_it =
+            |of: &Activity| meals.iter().any(|&meal| [Activity::Prepare(meal), Activity::Eat(meal)].contains(of));
+        let items = self.list.iter_mut().map(|draft| &mut draft.item);
+        items.filter(|item| item.visitor.is_none() && is_it(&item.activity)).for_each(|item| item.is_awaited = true);
     }
 
     /// A meal is prepared before it is eaten, and eaten soon after; of the two, the unstated one moves.

@@ -330,7 +330,7 @@ impl RoutineDriver {
             ActivityStep::LieDown => self.lie_down(now),
             ActivityStep::Meet(need) => self.meet(need, now),
             ActivityStep::Wake => self.wake(now),
-            ActivityStep::Await { arrival, left } => self.await_visitor(arrival, left),
+            ActivityStep::Await { guest, left } => self.await_visitor(guest, left),
             ActivityStep::Ring { left } => self.ring(left, now),
             ActivityStep::AwaitMeal { left } => self.await_meal(left),
             ActivityStep::AlongFloor { to, mps } => self.along_floor(to, mps, now),

@@ -28,6 +28,8 @@ pub struct Item {
     pub is_unsaid: bool,
     /// It yields to activities with a time: unstated and overdue ones.
     pub waits: bool,
+    /// A stated activity comes before it, with a gap between them.
+    pub is_awaited: bool,
     /// A stated time, and not just a part of the day.
     pub has_its_time: bool,
     /// Possible starts, if the sentence gives a part of the day.
@@ -104,6 +106,7 @@ impl Item {
             home: None,
             is_unsaid: true,
             waits: true,
+            is_awaited: false,
             has_its_time: false,
             open: None,
             is_counted: false,

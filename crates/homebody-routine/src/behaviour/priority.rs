@@ -55,7 +55,10 @@ impl RoutineDriver {
             let is_due = item.start >= now - GRACE || is_late && item.latest >= now;
             !item.waits && item.start < end_before(item) && is_due && (next.waits || is_timed(item))
         };
-        let is_meal = |item: &Item| is_outing && item.is_essential() && item.start < now + 2 * GRACE;
+        let is_meal = |item: &Item| {
+            let reach = if next.is_unsaid && item.is_awaited { next.lasts } else { 2 * GRACE };
+            is_outing && item.is_essential() && item.start < now + reach
+        };
         let is_first = |item: &Item| is_said(item) || is_meal(item) && item.latest >= now;
         let first = rest.iter().zip(&are_free).skip(1).position(|(item, &is_free)| is_free && is_first(item));
         if let Some(said) = first.map(|said| said + 1) {

@@ -29,6 +29,15 @@ pub const ACTED_ON: [Role; 12] = [
     Role::FrontDoor,
 ];
 
+/// The place of a visitor for whom the host waits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AwaitedGuest {
+    In,
+    /// On the way out, at the door or gone.
+    AtDoor,
+    Out,
+}
+
 #[derive(Clone, Debug)]
 pub enum ActivityStep {
     /// The label in the ground truth from now on.
@@ -52,9 +61,9 @@ pub enum ActivityStep {
     /// In night or day clothes: pulse and respiration change.
     LieDown,
     Meet(BodilyNeed),
-    /// Lets a visitor in (true) or out (false), and waits this long.
+    /// Waits this long for a visitor.
     Await {
-        arrival: bool,
+        guest: AwaitedGuest,
         left: Span,
     },
     /// Waits outside for a free doorway; as a visitor, also to be let in.
@@ -532,7 +541,7 @@ impl StepBuilder<'_, '_> {
     fn let_in(&mut self) {
         self.go(Role::FrontDoor, None);
         self.act(Role::FrontDoor, true);
-        self.push(ActivityStep::Await { arrival: true, left: ARRIVAL_PATIENCE });
+        self.push(ActivityStep::Await { guest: AwaitedGuest::In, left: ARRIVAL_PATIENCE });
         self.act(Role::FrontDoor, false);
         let welcome = self.around(40.0);
         self.at(Role::FrontDoor, None, welcome, Manner::TALKING, Interruptible::Rules);
@@ -551,8 +560,9 @@ impl StepBuilder<'_, '_> {
         if lasts < STAYING_OVER && matches!(door, DoorParts::SeesOut | DoorParts::Both) {
             let farewell = self.around(60.0);
             self.at(Role::FrontDoor, None, farewell, Manner::TALKING, Interruptible::Rules);
+            self.push(ActivityStep::Await { guest: AwaitedGuest::AtDoor, left: FAREWELL_PATIENCE });
             self.act(Role::FrontDoor, true);
-            self.push(ActivityStep::Await { arrival: false, left: FAREWELL_PATIENCE });
+            self.push(ActivityStep::Await { guest: AwaitedGuest::Out, left: FAREWELL_PATIENCE });
             self.act(Role::FrontDoor, false);
         }
     }

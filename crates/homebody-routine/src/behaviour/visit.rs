@@ -33,9 +33,9 @@ const TO_BEDSIDE: Span = SECOND.times(75);
 /// Interval at which a visitor looks what the host does (our choice).
 const LOOKS: Span = MINUTE;
 
-/// Largest delay of the end of a visit by a meal in company (our choice), which is at most a sixth of its length.
+/// Largest delay of the end of a visit by a meal in company (our choice), which is at most a tenth of its length.
 const MEAL_ENDS: Span = MINUTE.times(30);
-const PARTS_OF_VISIT: i64 = 6;
+const PARTS_OF_VISIT: i64 = 10;
 
 /// Times before and after the planned start of a meal at which a host at the table eats it (our choice).
 const BEFORE_MEAL: Span = MINUTE.times(15);
