@@ -122,8 +122,10 @@ test('a visit is added and a habit edited by the form, with keys alone', { timeo
   await fill(field('Visitor'), 'neighbour');
   await tabTo(page, dialog.getByRole('checkbox', { name: 'Sunday' }));
   await page.keyboard.press('Space');
-  await fill(field('Time of day: usual from'), '15:00');
-  await fill(field('Length: usual from'), '90');
+  await fill(field('Time of day: at'), '15:00');
+  await fill(field('Length, min'), '90');
+  // A number becomes a value when the user leaves its field.
+  await page.keyboard.press('Tab');
   await sentence.getByText('On Sunday, her neighbour visits at 15:00 for 90 minutes.').waitFor();
   await looked(page, 'statement-form', process.env.PICTURES);
   await page.setViewportSize({ width: 1280, height: 1600 });
