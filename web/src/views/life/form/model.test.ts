@@ -152,6 +152,11 @@ test('the end of a range across midnight is on the next day', () => {
   expect(withUsual(evening, 'to', 79_200, 'clock').to).toBe(79_200);
 });
 
+test('an end before the beginning is on the next day', () => {
+  const until = (at: number, end: number) => (fitted({ kind: 'habit', when: { time: { at: plain(at, at, 'clock') }, until_s: plain(end, end, 'clock') } }, 'when', NAMES).when as { until_s: Trapezoid }).until_s.from;
+  expect([until(82_800, 3600), until(36_000, 90_000), until(36_000, 43_200)]).toEqual([90_000, 3600 + 86_400, 43_200]);
+});
+
 test('a text that is no value of its field is named', () => {
   expect(faultOf('25:00', 'clock', {})).toBe('Write a time such as 14:30.');
   expect([faultOf('1.5', 'days', { whole: true, least: 1 }), faultOf('-1', 'plain', { whole: true, least: 1, most: 7 })]).toEqual(['Write a whole number, 1 or more.', 'Write a whole number from 1 to 7.']);

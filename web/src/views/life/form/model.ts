@@ -5,7 +5,7 @@ import schema from '../../../../../schemas/statements.schema.json';
 import { SAID } from '../../../activities';
 import { type RootSchema, type Schema, aboutOf as describedAs, definitionOf, resolved as resolvedIn } from '../../../json-schema';
 import type { Completion, StatementView } from '../../../wire';
-import { type Amount, type Limits, plain } from './amounts';
+import { type Amount, type Limits, type Trapezoid, isAfterMidnight, plain, setAfterMidnight } from './amounts';
 import { choiceLabel, itemLabel, labelOf, onOff, severities } from './labels';
 
 export type Statement = { kind: string } & Record<string, unknown>;
@@ -346,6 +346,14 @@ const WHEN_OF_EFFECT: Readonly<Record<string, Record<string, unknown>>> = {
 /** A statement after a change of a field, without what does not fit it any more. */
 export function fitted(statement: Record<string, unknown>, key: string, names: Names): Record<string, unknown> {
   if (key === 'whenever' && MOMENTS.has(wayOf(statement.whenever).chosen)) return withKey(statement, 'lasts_s', undefined);
+  if (key === 'when') {
+    const when = (statement.when ?? {}) as { time?: { at?: Trapezoid }; until_s?: Trapezoid | null; nights?: number };
+    const [at, until] = [when.time?.at, when.until_s];
+    if (!at || !until || when.nights || isAfterMidnight(at)) return statement;
+    // From 23:00 until 01:00 ends on the next day.
+    const clockTime = setAfterMidnight(until, false);
+    return { ...statement, when: { ...when, until_s: setAfterMidnight(until, clockTime.from < at.from) } };
+  }
   if (key === 'effect') {
     const { chance: _, time: __, lasts_s: ___, ...rest } = (statement.when ?? {}) as Record<string, unknown>;
     return { ...statement, when: { ...rest, ...WHEN_OF_EFFECT[wayOf(statement.effect).chosen] } };

@@ -1,4 +1,4 @@
-// The texts of fields that are no values of the statement: those that the user still types, and those that are wrong.
+// Texts of fields that are not values yet: the user still types them, or they are wrong.
 
 import { getContext, setContext } from 'svelte';
 import { SvelteMap } from 'svelte/reactivity';
