@@ -14,8 +14,10 @@ fn main() {
     {
         println!("cargo:rerun-if-changed={}", web.join(watched).display());
     }
-    // The plan's editor takes its fields from it.
-    println!("cargo:rerun-if-changed={}", web.join("../schemas/home.schema.json").display());
+    // The plan's editor and the form of statements take their fields from them.
+    for schema in ["home.schema.json", "statements.schema.json"] {
+        println!("cargo:rerun-if-changed={}", web.join("../schemas").join(schema).display());
+    }
     println!("cargo:rustc-env=HOMEBODY_PAGE={}", page.display());
     if let Err(why) = build(&web, &page) {
         println!("cargo:warning=the web page is not built: {why}; all but `homebody serve` works without it");

@@ -122,9 +122,19 @@ test('a visit is added and a habit edited by the form, with keys alone', { timeo
   await fill(field('Visitor'), 'neighbour');
   await tabTo(page, dialog.getByRole('checkbox', { name: 'Sunday' }));
   await page.keyboard.press('Space');
-  await fill(field('Time of day: usual from'), '15:00');
-  await fill(field('Length: usual from'), '90');
+  await fill(field('Time of day: at'), '15:00');
+  await fill(field('Length, min'), '90');
+  // A number becomes a value when the user leaves its field.
+  await page.keyboard.press('Tab');
   await sentence.getByText('On Sunday, her neighbour visits at 15:00 for 90 minutes.').waitFor();
+  // Explanations of fields move nothing, so that a click after a field meets its button.
+  const insert = dialog.getByRole('button', { name: 'Insert' });
+  const heights = [];
+  for (const name of ['Visitor', 'Activity', 'Length, min']) {
+    await field(name).focus();
+    heights.push((await insert.boundingBox()).y);
+  }
+  assert.equal(new Set(heights).size, 1, `the button moves: ${heights}`);
   await looked(page, 'statement-form', process.env.PICTURES);
   await page.setViewportSize({ width: 1280, height: 1600 });
   await tabTo(page, dialog.getByRole('button', { name: 'Insert' }));

@@ -892,7 +892,11 @@ problems: Array<ProblemView>,
 /**
  * The date of the scenario's first day, and the number of its days; empty for an invalid scenario.
  */
-first: string, days: number, sentences: Array<SentenceView>, 
+first: string, days: number, 
+/**
+ * Whether the text is in another language than English, which forms write.
+ */
+is_foreign: boolean, sentences: Array<SentenceView>, 
 /**
  * The defaults for what the routine does not say.
  */
@@ -938,7 +942,7 @@ export type StatementView = {
  */
 places: Array<SentencePlace>, statement: Record<string, unknown>, 
 /**
- * The canonical sentences.
+ * As they would be written, without the other statements of the same sentence.
  */
 sentences: Array<string>, };
 
@@ -958,13 +962,19 @@ length: number, };
 
 export type WriteStatement = { draft: Draft, file: string, statement: Record<string, unknown>, 
 /**
- * The number of the statement that it replaces, from 0; null for a new one.
+ * The statement that it replaces; null for a new one.
  */
-instead: number | null, 
+instead: ReplacedStatement | null, 
 /**
  * The line, from 1, after which a new sentence stands.
  */
 line: number, };
+
+export type ReplacedStatement = { 
+/**
+ * In its routine, from 0.
+ */
+number: number, statement: Record<string, unknown>, };
 
 export type WrittenStatementView = { 
 /**
@@ -976,7 +986,7 @@ sentences: Array<string>,
  */
 meaning: Array<SentenceView>, 
 /**
- * The faults of the fields, all of them.
+ * The faults of the fields, all of them. Values that no sentence says are among them.
  */
 faults: Array<FieldFaultView>, 
 /**

@@ -91,7 +91,7 @@ pub struct Quote {
 pub struct Habit {
     #[serde(skip)]
     pub said: Quote,
-    /// The visitor, such as `daughter`; left out for the resident.
+    /// The person who comes, such as `daughter` or `nurse`; left out for the resident.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub visitor: Option<String>,
     pub activity: Activity,
@@ -188,6 +188,7 @@ pub struct HabitChance {
     /// The quantifier of the sentence, if any.
     #[serde(skip)]
     pub quantifier: Option<Quantifier>,
+    #[schemars(range(min = 0.0, max = 1.0))]
     pub probability: f64,
     /// A later probability, and its day: "rarely at first, often by day 160".
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -258,6 +259,7 @@ pub struct Circumstance {
 /// The probability of forgetting the response, and the delay in seconds until it is remembered; never if `None`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Lapse {
+    #[schemars(range(min = 0.0, max = 1.0))]
     pub probability: f64,
     pub later: Option<Fuzzy>,
 }

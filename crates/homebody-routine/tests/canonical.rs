@@ -63,6 +63,16 @@ fn canonical_sentences_of_all_forms_keep_their_meaning() {
 }
 
 #[test]
+fn a_share_has_as_few_digits_as_it_was_written_with() {
+    for percent in ["3.3", "0.1", "7", "12.7", "33.3", "99.9"] {
+        let read = understood(&format!("On {percent} % of days, she reads at 10:00."));
+        let printed = text(statements(&read).iter().map(|(_, statement)| statement));
+        assert!(printed.contains(&format!("n {percent} % of days")), "{percent}: {printed}");
+        assert_eq!(meaning(&understood(&printed)), meaning(&read));
+    }
+}
+
+#[test]
 fn statements_survive_json() {
     let read = understood(
         "Margaret is 82. She walks at about 0.65 m/s. From day 40, over 14 days, until 2009-06-01, fading over 3 days, \

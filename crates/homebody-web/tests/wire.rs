@@ -124,6 +124,7 @@ fn declarations() -> Vec<String> {
         StatementView,
         SentencePlace,
         WriteStatement,
+        ReplacedStatement,
         WrittenStatementView,
         FieldFaultView,
         TextEditView,

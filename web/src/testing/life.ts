@@ -54,6 +54,7 @@ function explained(file: string, text: string): ExplainView {
     problems: problemsOf(file, text),
     first: '2009-03-02',
     days: 30,
+    is_foreign: /^Sprache:/.test(text),
     sentences,
     unsaid: [{ line: 1, said: 'she gets dressed', kind: 'habit', what: 'gets dressed', days: 'p 1', when: 'after: gets up', start_s: null, lasts_s: null, in_words: 'Gets dressed after getting up.' }],
     conditions: shows === undefined ? [] : [{ name: shows, severity: Array.from({ length: 30 }, (_, day) => Math.min(Math.max((day - 7) / 7, 0), 1)), sentences: sentences.slice(0, 1) }],
@@ -78,7 +79,7 @@ function stated(text: string): StatementsView {
 function written({ statement, instead, line }: WriteStatement, file: string, text: string): WrittenStatementView {
   const { activity, place } = statement as { activity?: string; place?: string };
   const sentence = `She ${activity}${place ? ` in the ${place}` : ''}.`;
-  const of = instead === null ? null : stated(text).statements[instead]!.places[0]!;
+  const of = instead === null ? null : stated(text).statements[instead.number]!.places[0]!;
   const end = (text.split('\n')[line - 1] ?? '').length + 1;
   const edit = of ? { line: of.line, column: of.column, to_line: of.line, to_column: of.column + of.length, insert: sentence } : { line, column: end, to_line: line, to_column: end, insert: `\n${sentence}` };
   const problems: ProblemView[] = activity === 'juggles' ? [{ file, line, column: 1, width: 1, what: 'nobody juggles', hint: 'choose another activity' }] : [];

@@ -266,19 +266,22 @@ const MOST_DAYS_OF_SHARE: u32 = 366;
 
 /// "on 30 % of days"; "on 1 of 14 days", if a percentage would need many digits.
 fn share_words(share: f64, of: &str) -> String {
-    let percent = (share * 100.0).round();
+    let percent = percent(share);
     let of_days = |days: u32| {
         let some = (share * f64::from(days)).round();
         (some >= 1.0 && some / f64::from(days) == share).then(|| format!("on {} of {days} {of}", number(some)))
     };
-    // A share such as 0.07 is 7.000000000000001 % in binary.
-    if percent / 100.0 == share {
-        return format!("on {} % of {of}", number(percent));
-    }
-    let is_long = number(share * 100.0).len() > "12.25".len();
+    let is_long = number(percent).len() > "12.25".len();
     let counted =
         Some(of).filter(|of| is_long && *of == "days").and_then(|_| (2..=MOST_DAYS_OF_SHARE).find_map(of_days));
-    counted.unwrap_or_else(|| format!("on {} % of {of}", number(share * 100.0)))
+    counted.unwrap_or_else(|| format!("on {} % of {of}", number(percent)))
+}
+
+/// The shortest percentage of a share: 0.07 is 7 %, although 0.07 × 100 is 7.000000000000001 in binary.
+fn percent(share: f64) -> f64 {
+    let exact = share * 100.0;
+    let rounded = |digits: i32| (exact * 10_f64.powi(digits)).round() / 10_f64.powi(digits);
+    (0..=12).map(rounded).find(|percent| percent / 100.0 == share).unwrap_or(exact)
 }
 
 /// The words of a visitor: a name, or the relation to the resident.

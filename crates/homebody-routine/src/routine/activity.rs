@@ -17,7 +17,7 @@ impl Meal {
 
 macro_rules! own_ways {
     ($($(#[$doc:meta])* $name:ident $(($meal:ident))?: $($label:ident $($of:ident)?),+;)*) => {
-        /// An activity of the table in `homebody-core`, or of the user.
+        /// An activity of Homebody, or one of your own, which needs a place and a length.
         #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, JsonSchema)]
         #[schemars(with = "String")]
         pub enum Activity {

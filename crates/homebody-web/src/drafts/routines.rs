@@ -10,6 +10,7 @@ use homebody_core::problem::{Diagnose, Diagnostic, Problem};
 use homebody_core::scenario::load::{Overlay, ResidentDriver, Scenario};
 use homebody_routine::explain::{self, Explanation, ExplanationKind, Spread, explain};
 use homebody_routine::household::{Household, RoutineReading};
+use homebody_routine::language::is_english;
 use homebody_routine::routine::Routine;
 use homebody_simulation::{Cancel, SimulationError};
 use std::sync::PoisonError;
@@ -79,6 +80,7 @@ impl DraftService {
             problems: problems(wrong),
             first: dates::date(calendar, 0),
             days,
+            is_foreign: !is_english(asked.text()),
             sentences: views(explain(routine).dated(calendar, asked.days())),
             unsaid: sentences(unsaid),
             conditions: conditions.iter().map(condition).collect(),

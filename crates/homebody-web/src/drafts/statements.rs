@@ -5,8 +5,8 @@ use super::sentence_edits::{SentenceEdit, adding, applied, places, position, rep
 use super::{DraftService, problems, sentence_view};
 use crate::messages::DraftMessage;
 use crate::wire::{
-    Draft, Explain, FieldFaultView, ProblemView, SentencePlace, StatementView, StatementsView, TextEditView,
-    WriteStatement, WrittenStatementView,
+    Draft, Explain, FieldFaultView, ProblemView, ReplacedStatement, SentencePlace, StatementView, StatementsView,
+    TextEditView, WriteStatement, WrittenStatementView,
 };
 use homebody_core::problem::{Problem, readable};
 use homebody_core::scenario::source::pointer_part;
@@ -32,7 +32,7 @@ impl DraftService {
         let view = |(said, statement): &Placed| StatementView {
             places: places(said, statement, text).into_iter().map(|place| sentence_place(text, &place)).collect(),
             statement: json(statement),
-            sentences: statement.sentences(),
+            sentences: statement.sentences().into_iter().map(|one| written(text, vec![one])).collect(),
         };
         StatementsView { problems: Vec::new(), statements: all.iter().map(view).collect() }
     }
@@ -83,7 +83,7 @@ impl DraftService {
             return Ok(view);
         }
         let read = statements(&after.routine);
-        let number = number_of_new(&all, asked.instead, &read)?;
+        let number = number_of_new(&all, asked.instead.as_ref().map(|old| old.number), &read)?;
         let (said, meant) = &read[number];
         view.meaning = explain(&after.routine)
             .dated(&calendar, days)
@@ -96,6 +96,9 @@ impl DraftService {
         let mut fields = Vec::new();
         differences(&said_of(statement), &said_of(meant), String::new(), &mut fields);
         view.faults = fields.into_iter().map(not_said).collect();
+        if !view.faults.is_empty() {
+            return Ok(view);
+        }
         let mut draft = asked.draft.clone();
         draft.texts.insert(asked.file.clone(), fresh.clone());
         let lines: Vec<u32> = places(said, meant, &fresh).iter().map(|place| position(&fresh, place.start).0).collect();
@@ -121,8 +124,11 @@ fn edits(
     if says_nothing(statement) {
         return Err(DraftMessage::NothingSaid);
     }
-    let instead = asked.instead.map(|number| number as usize);
-    if instead.is_some_and(|number| number >= all.len()) {
+    let instead = asked.instead.as_ref().map(|old| old.number as usize);
+    let is_there = |old: &ReplacedStatement| {
+        all.get(old.number as usize).is_some_and(|(_, now)| is_same(&old.statement, &json(now)))
+    };
+    if asked.instead.as_ref().is_some_and(|old| !is_there(old)) {
         return Err(DraftMessage::NoStatement);
     }
     let is_person = |statement: &Statement| matches!(statement, Statement::Person(_));
@@ -162,21 +168,26 @@ fn number_of_new(before: &[Placed], instead: Option<u32>, after: &[Placed]) -> R
         .map(|(_, (_, one))| json(one))
         .collect();
     let read: Vec<Value> = after.iter().map(|(_, statement)| json(statement)).collect();
-    let is_same = |(a, b): (&Value, &Value)| {
-        let mut found = Vec::new();
-        differences(a, b, String::new(), &mut found);
-        found.is_empty()
-    };
-    let number = others.iter().zip(&read).position(|pair| !is_same(pair)).unwrap_or(others.len());
+    let number = others.iter().zip(&read).position(|(other, one)| !is_same(other, one)).unwrap_or(others.len());
     let rest = read.get(number + 1..).unwrap_or_default();
     let later = others.get(number..).unwrap_or_default();
-    match rest.len() == later.len() && later.iter().zip(rest).all(is_same) && number < read.len() {
+    match rest.len() == later.len()
+        && later.iter().zip(rest).all(|(other, one)| is_same(other, one))
+        && number < read.len()
+    {
         true => Ok(number),
         false => Err(DraftMessage::ChangesOthers),
     }
 }
 
-/// The pointers of the values that differ. Numbers are the same up to the accuracy of floating point.
+fn is_same(a: &Value, b: &Value) -> bool {
+    let mut found = Vec::new();
+    differences(a, b, String::new(), &mut found);
+    found.is_empty()
+}
+
+/// The pointers of the values that differ. Numbers are the same up to the accuracy of floating point, texts up to case and the space
+/// around them.
 fn differences(a: &Value, b: &Value, pointer: String, found: &mut Vec<String>) {
     match (a, b) {
         (Value::Object(one), Value::Object(other)) => {
@@ -196,6 +207,7 @@ fn differences(a: &Value, b: &Value, pointer: String, found: &mut Vec<String>) {
                 found.push(pointer);
             }
         }
+        (Value::String(one), Value::String(other)) if one.trim().to_lowercase() == other.trim().to_lowercase() => {}
         (one, other) if one == other => {}
         _ => found.push(pointer),
     }

@@ -257,6 +257,8 @@ pub struct ExplainView {
     /// The date of the scenario's first day, and the number of its days; empty for an invalid scenario.
     pub first: String,
     pub days: u32,
+    /// Whether the text is in another language than English, which forms write.
+    pub is_foreign: bool,
     pub sentences: Vec<SentenceView>,
     /// The defaults for what the routine does not say.
     pub unsaid: Vec<SentenceView>,

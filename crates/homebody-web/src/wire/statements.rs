@@ -19,7 +19,7 @@ pub struct StatementView {
     pub places: Vec<SentencePlace>,
     #[ts(type = "Record<string, unknown>")]
     pub statement: Value,
-    /// The canonical sentences.
+    /// As they would be written, without the other statements of the same sentence.
     pub sentences: Vec<String>,
 }
 
@@ -42,10 +42,20 @@ pub struct WriteStatement {
     pub file: String,
     #[ts(type = "Record<string, unknown>")]
     pub statement: Value,
-    /// The number of the statement that it replaces, from 0; null for a new one.
-    pub instead: Option<u32>,
+    /// The statement that it replaces; null for a new one.
+    pub instead: Option<ReplacedStatement>,
     /// The line, from 1, after which a new sentence stands.
     pub line: u32,
+}
+
+/// A statement as a form was opened with it.
+#[derive(Clone, Debug, PartialEq, Deserialize, TS)]
+#[serde(deny_unknown_fields)]
+pub struct ReplacedStatement {
+    /// In its routine, from 0.
+    pub number: u32,
+    #[ts(type = "Record<string, unknown>")]
+    pub statement: Value,
 }
 
 /// The sentences of a statement, their meaning, and the changes that write them.
@@ -55,7 +65,7 @@ pub struct WrittenStatementView {
     pub sentences: Vec<String>,
     /// The interpretation of the sentences in their routine.
     pub meaning: Vec<SentenceView>,
-    /// The faults of the fields, all of them.
+    /// The faults of the fields, all of them. Values that no sentence says are among them.
     pub faults: Vec<FieldFaultView>,
     /// Problems that the sentences cause, in the words of the program.
     pub problems: Vec<ProblemView>,

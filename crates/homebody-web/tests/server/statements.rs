@@ -23,6 +23,13 @@ impl Form {
     }
 
     fn written(&self, text: &str, statement: &Value, instead: Option<usize>, line: usize) -> Value {
+        let opened = |number: usize| self.statements(text).get(number).map(|one| one["statement"].clone());
+        let instead = instead.map(|number| json!({ "number": number, "statement": opened(number) }));
+        self.replaced(text, statement, &json!(instead), line)
+    }
+
+    /// In the place of a statement as a form was opened with it.
+    fn replaced(&self, text: &str, statement: &Value, instead: &Value, line: usize) -> Value {
         let asked = json!({ "draft": draft(FILE, text), "file": FILE, "statement": statement, "instead": instead, "line": line });
         self.served.told("/api/statement", &asked)
     }
@@ -229,4 +236,66 @@ fn hostile_statements_break_nothing() {
             form.written(text, &rule, Some(0), u32::MAX as usize);
         }
     }
+}
+
+#[test]
+fn a_sentence_that_moved_since_the_form_was_opened_is_not_replaced() {
+    let form = Form::new();
+    let text = "Walter is 79.\nHe reads at 10:00 for 1 hour.\nHe naps at 14:00.\n";
+    let mut nap = form.statements(text)[2]["statement"].clone();
+    let instead = json!({ "number": 2, "statement": nap });
+    nap["place"] = "armchair".into();
+    let told = form.replaced(text, &nap, &instead, 3);
+    assert_eq!(edited(text, &told["edits"]), text.replace("He naps", "He naps in the armchair"));
+    // Two sentences more above: the number is that of another statement.
+    let moved = format!("He wakes up at 06:00.\nHe eats breakfast at 08:00.\n{text}");
+    let told = form.replaced(&moved, &nap, &instead, 3);
+    assert_eq!((&told["edits"], &told["problems"][0]["code"]), (&json!([]), &json!("desk::no-statement")));
+}
+
+#[test]
+fn a_statement_that_is_read_as_another_one_is_not_written() {
+    let form = Form::new();
+    let text = "Walter is 79.\n";
+    let reading = |activity: &str, place: &str| json!({ "kind": "habit", "activity": activity, "place": place, "when": { "time": { "at": { "low": 35700, "from": 36000, "to": 36000, "high": 36300 } } } });
+    for wrong in [reading("reads # comment", "armchair"), reading("reading", "armchair on Sunday")] {
+        let told = form.written(text, &wrong, None, 1);
+        assert_eq!(told["edits"], json!([]), "{told:#}");
+        assert_ne!((&told["faults"], &told["problems"]), (&json!([]), &json!([])), "{told:#}");
+    }
+    for right in [reading("reading", "ARMCHAIR"), reading("reading", " armchair ")] {
+        form.with(text, &right, None, 1);
+    }
+    let mut often = reading("reading", "armchair");
+    often["when"]["chance"] = json!({ "probability": 1.005 });
+    let told = form.written(text, &often, None, 1);
+    assert_eq!((&told["edits"], &told["faults"][0]["field"]), (&json!([]), &json!("/when/chance/probability")));
+}
+
+#[test]
+fn a_time_after_midnight_is_on_the_next_day() {
+    let form = Form::new();
+    let reading = |to: u32| json!({ "kind": "habit", "activity": "reading", "when": { "time": { "at": { "low": 82800, "from": 82800, "to": to, "high": to } } } });
+    let fresh = form.with("Walter is 79.\n", &reading(90_000), None, 1);
+    assert!(fresh.contains("between 23:00 and 01:00"), "{fresh}");
+    let told = form.written("Walter is 79.\n", &reading(3600), None, 1);
+    assert_eq!(told["edits"], json!([]), "{told:#}");
+}
+
+#[test]
+fn statements_that_a_form_begins_with_have_no_fault() {
+    let form = Form::new();
+    let text = "Walter is 79.\nWhenever the stove has been on for 20 minutes, he turns it off.\nHe reads at 10:00 for 1 hour.\n";
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/src/testing/first-statements.json");
+    let all: Vec<Value> = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
+    assert!(all.len() > 20);
+    let mut wrong = Vec::new();
+    for statement in &all {
+        let (text, line) = if statement["kind"] == "person" { ("He reads at 10:00.\n", 1) } else { (text, 2) };
+        let told = form.written(text, statement, None, line);
+        if told["edits"] == json!([]) {
+            wrong.push(format!("{statement}: {} {}", told["faults"], told["problems"]));
+        }
+    }
+    assert_eq!(wrong, Vec::<String>::new(), "{wrong:#?}");
 }

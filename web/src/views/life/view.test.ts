@@ -8,7 +8,7 @@ import { frame } from '../../testing/frames';
 import { madeUpRun } from '../../testing/home';
 import { button, EVIL, expectText, fakeWire, write } from '../../testing/page';
 import { Drafts } from '../../drafts.svelte';
-import type { Month, PageCommand } from '../../wire';
+import type { Month, PageCommand, WriteStatement } from '../../wire';
 import { whereOf, withoutLines } from './life.svelte';
 import LifeView from './Life.svelte';
 
@@ -273,6 +273,103 @@ test('the sentence at the cursor is edited by its form, and a line without one h
   button('Replace').click();
   for (let turn = 0; turn < 4; turn++) await settle();
   expect(live.drafts.text('0.routine')).toBe('She sings.\n');
+});
+
+test('the form asks about the text in the editor, with the statement as it was opened', async () => {
+  const text = 'she reads for 1 hour\n';
+  const files = new Map([['0.routine', text]]);
+  await begin(fakeLives(['Agnes'], files));
+  button('Edit as a form').click();
+  for (let turn = 0; turn < 6; turn++) await settle();
+  // Another program changes the file, and the page has not seen it yet.
+  files.set('0.routine', `she sings for 1 hour\n${text}`);
+  write(fieldIn('Place'), 'bed');
+  for (let turn = 0; turn < 4; turn++) await settle();
+  const requests = asked.filter(({ path }) => path === '/api/statement').map(({ body }) => body as WriteStatement);
+  const { draft, instead } = requests.find(({ statement }) => statement.place === 'bed')!;
+  expect(draft.texts['0.routine']).toBe(text);
+  expect(instead).toEqual({ number: 0, statement: { kind: 'habit', activity: 'reads', when: {} } });
+});
+
+test('a wrong text stays in its field, is named, and stands in the way', async () => {
+  await begin();
+  button('Add a statement').click();
+  await settle();
+  const dialog = document.querySelector('dialog[open]')!;
+  const at = dialog.querySelector<HTMLInputElement>('[aria-label="Time of day: at"]')!;
+  await filled(at, '25:00');
+  at.dispatchEvent(new Event('blur'));
+  await settle();
+  expect([at.value, button('Insert').disabled]).toEqual(['25:00', true]);
+  expect(dialog.textContent).toContain('Write a time such as 14:30.');
+  const requests = asked.length;
+  await filled(at, '09:00');
+  at.dispatchEvent(new Event('blur'));
+  for (let turn = 0; turn < 6; turn++) await settle();
+  expect(asked.length).toBeGreaterThan(requests);
+  expect([at.value, button('Insert').disabled]).toEqual(['09:00', false]);
+  // A text that is too long is not cut.
+  await filled(fieldIn('Place'), 'b'.repeat(10_000));
+  expect(dialog.textContent).toContain('Write at most 1,000 characters.');
+  expect([fieldIn('Place').value.length, button('Insert').disabled]).toEqual([10_000, true]);
+});
+
+/** Answers of the fake server that the test holds back or lets fail. */
+function withAnswers(of: { fails: boolean; waits: Promise<void> | null }): Fetch {
+  const fetch = fakeLives();
+  return async (path, init) => {
+    if (path !== '/api/statement') return fetch(path, init);
+    if (of.fails) throw new TypeError('offline');
+    await of.waits;
+    return fetch(path, init);
+  };
+}
+
+test('an answer that comes after the form was closed writes nothing, and the form is there again as it was left', async () => {
+  let answer = () => {};
+  const of = { fails: false, waits: new Promise<void>((done) => (answer = done)) };
+  await begin(withAnswers(of));
+  button('Add a statement').click();
+  await settle();
+  write(fieldIn('Activity'), 'knits');
+  button('Insert').click();
+  await settle();
+  document.querySelector<HTMLDialogElement>('dialog[open]')!.close();
+  answer();
+  for (let turn = 0; turn < 6; turn++) await settle();
+  expect(live.drafts.text('0.routine')).toBe(ROUTINE);
+  button('Add a statement').click();
+  for (let turn = 0; turn < 6; turn++) await settle();
+  expect(fieldIn('Activity').value).toBe('knits');
+  expect(live.drafts.text('0.routine')).toBe(ROUTINE);
+  button('Start anew').click();
+  await settle();
+  expect(fieldIn('Activity').value).toBe('reads');
+  button('Cancel').click();
+});
+
+test('without the server, a press of Insert shows the failure and inserts nothing later', async () => {
+  const of = { fails: true, waits: null };
+  await begin(withAnswers(of));
+  button('Add a statement').click();
+  for (let turn = 0; turn < 6; turn++) await settle();
+  button('Insert').click();
+  for (let turn = 0; turn < 6; turn++) await settle();
+  const dialog = document.querySelector('dialog[open]')!;
+  expect(dialog.querySelector('[role="alert"]')).not.toBeNull();
+  expect(dialog.querySelector('[role="status"]')!.textContent).toBe('');
+  of.fails = false;
+  await filled(fieldIn('Activity'), 'knits');
+  expect(live.drafts.text('0.routine')).toBe(ROUTINE);
+  button('Insert').click();
+  for (let turn = 0; turn < 4; turn++) await settle();
+  expect(live.drafts.text('0.routine')).toContain('She knits.');
+});
+
+test('the form is not offered for a routine in another language', async () => {
+  await begin(fakeLives(['Agnes'], new Map([['0.routine', 'Sprache: Deutsch\n']])));
+  expect(document.body.textContent).toContain('The form writes English sentences only.');
+  expect(button('Add a statement').disabled).toBe(true);
 });
 
 test('hostile names are text', async () => {

@@ -70,7 +70,7 @@ test('a row has a second line where the next one leaves room', () => {
 });
 
 test('few words', () => {
-  expect([often('p 1'), often('Mon Wed p 1'), often('Sun p 0.2'), often('p 0.85')]).toEqual(['', 'Mon Wed', 'Sun 20 %', '85 %']);
+  expect([often('p 1'), often('Mon Wed p 1'), often('p 1; Sun'), often('Sun p 0.2'), often('p 0.85')]).toEqual(['', 'Mon Wed', 'Sun', 'Sun 20 %', '85 %']);
   expect([lasting(30), lasting(59.6), lasting(5400), lasting(7200)]).toEqual(['30 s', '1 min', '1 h 30 min', '2 h']);
   const half = 43_200;
   expect(bar([half, half, half], [0, half / 2, 0])).toEqual({ least: 0.5, mean: 0.5, most: 0.5, end: 0.75 });

@@ -4,7 +4,7 @@ const DAY_S = 86_400;
 
 /** Frequency and days; every day needs no word. */
 export function often(days: string): string {
-  return days.replace(/\s*\bp 1$/, '').replace(/\bp (0\.\d+)/, (_, share: string) => `${Math.round(Number(share) * 100)} %`).slice(0, 120);
+  return days.replace(/\bp 1(?=\s*(;|$))/, '').replace(/^[\s;]+|[\s;]+$/g, '').replace(/\bp (0\.\d+)/, (_, share: string) => `${Math.round(Number(share) * 100)} %`).slice(0, 120);
 }
 
 /** `25 min`, `1 h 30 min`. */

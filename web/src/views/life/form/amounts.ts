@@ -24,6 +24,12 @@ export const UNITS: Readonly<Record<Amount, { unit: string; size: number }>> = {
   plain: { unit: '', size: 1 },
 };
 
+/** The values that a number may have. */
+export type Limits = { whole?: boolean; least?: number | undefined; most?: number | undefined };
+
+/** The largest number that a field takes (our choice). */
+const LARGEST = 1e9;
+
 const two = (number: number) => String(number).padStart(2, '0');
 
 /** A value as the text of its field. */
@@ -48,9 +54,20 @@ export function read(text: string, amount: Amount, old = 0): number | null {
     return hours * 3600 + minutes * 60 + (old >= DAY_S && hours < 24 ? DAY_S : 0);
   }
   const number = Number(written);
-  if (written === '' || !Number.isFinite(number)) return null;
   // 7 % is 0.07, not 0.07000000000000001.
-  return amount === 'percent' ? number / 100 : Number((number * UNITS[amount].size).toPrecision(15));
+  const value = amount === 'percent' ? number / 100 : Number((number * UNITS[amount].size).toPrecision(15));
+  return written !== '' && Math.abs(value) <= LARGEST ? value : null;
+}
+
+/** The fault of a field's text; empty for a value. */
+export function faultOf(text: string, amount: Amount, { whole = false, least, most }: Limits, old = 0): string {
+  const value = read(text, amount, old);
+  const isInside = value !== null && (!whole || Number.isInteger(value)) && value >= (least ?? -LARGEST) && value <= (most ?? LARGEST);
+  if (isInside) return '';
+  const [from, to] = [least, most].map((limit) => (limit === undefined ? '' : shown(limit, amount)));
+  if (amount === 'clock') return value === null ? 'Write a time such as 14:30.' : `Write a time ${value < (least ?? 0) ? `from ${from} on` : `up to ${to}`}.`;
+  const bounds = from !== '' && to !== '' ? ` from ${from} to ${to}` : from !== '' ? `, ${from} or more` : to !== '' ? `, ${to} or less` : '';
+  return `Write a ${whole ? 'whole ' : ''}number${bounds}.`;
 }
 
 /** A time after midnight that belongs to the evening before. */
@@ -80,10 +97,30 @@ export function hasOwnBounds(value: Trapezoid, amount: Amount): boolean {
   return !isExact && !hasPlainBounds(value, amount);
 }
 
-/** Other usual values. A single value stays single, and outer bounds that were stated keep their distance. */
+/** Longest time between the two ends of a range across midnight, in seconds (our choice). */
+const LONGEST_NIGHT_S = DAY_S / 2;
+
+/** The end of a range of times of day: from 23:00 to 01:00, it is on the next day. */
+function endOf(from: number, to: number): number {
+  const sameDay = (to % DAY_S) + Math.floor(from / DAY_S) * DAY_S;
+  return sameDay < from && sameDay + DAY_S - from <= LONGEST_NIGHT_S ? sameDay + DAY_S : sameDay;
+}
+
+/** The second value is before the first. */
+export const isTurned = (value: Trapezoid) => value.to < value.from;
+
+/** Another first or second usual value. The other one stays, and outer bounds that were stated keep their distance. */
 export function withUsual(value: Trapezoid, side: 'from' | 'to', next: number, amount: Amount): Trapezoid {
-  const isSingle = value.from === value.to && side === 'from';
-  const [from, to] = side === 'from' ? [next, isSingle ? next : Math.max(next, value.to)] : [Math.min(value.from, next), next];
+  const [first, second] = side === 'from' ? [next, value.to] : [value.from, next];
+  return between(value, first, amount === 'clock' ? endOf(first, second) : second, amount);
+}
+
+/** A single usual value. */
+export function withSingle(value: Trapezoid, next: number, amount: Amount): Trapezoid {
+  return between(value, next, next, amount);
+}
+
+function between(value: Trapezoid, from: number, to: number, amount: Amount): Trapezoid {
   if (hasPlainBounds(value, amount)) return plain(from, to, amount);
   return { low: from - (value.from - value.low), from, to, high: to + (value.high - value.to) };
 }

@@ -14,6 +14,25 @@ const LABELS: Readonly<Record<string, string>> = {
   slowly: 'Slowly', ends: 'End', mostly: 'Mostly', text: 'Text', activity: 'Activity', place: 'Place', thing: 'Thing', condition: 'Condition', on: 'On or open',
 };
 
+/** The severities that sentences have words for. */
+export function severities(key: string): Readonly<Record<string, number>> | null {
+  return key === 'severity' ? { mild: 0.5, moderate: 1, severe: 1.5 } : null;
+}
+
+/** The words of a flag that turns a thing on or off. */
+export function onOff(key: string): readonly [string, string] | null {
+  return key === 'on' ? ['on, or open', 'off, or closed'] : null;
+}
+
+/** The words beside the box that states a field. */
+const STATED: Readonly<Record<string, string>> = {
+  falling: 'Describe the fall', of_month: 'Say which days', episode: 'Say how many days', rests: 'Describe the rests', becomes: 'Say the later share', times: 'Say how many times', lapse: 'Describe the forgetting',
+};
+
+export function stateLabel({ key, label }: { key: string; label: string }): string {
+  return STATED[key] ?? `Say ${label.toLowerCase()}`;
+}
+
 /** The items of lists of a fixed length. */
 const ITEMS: Readonly<Record<string, readonly string[]>> = {
   times: ['At least', 'At most'], of_month: ['First day', 'Last day'], becomes: ['Share of days', 'By'], after: ['Activity', 'So long after'], before: ['Activity', 'So long before'],

@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest';
 import page from '../../../../../docs/reference/statements.md?raw';
-import { type Trapezoid, hasOwnBounds, plain, read, setAfterMidnight, shown, withSpread, withUsual } from './amounts';
+import { type Trapezoid, faultOf, hasOwnBounds, isTurned, plain, read, setAfterMidnight, shown, withSingle, withSpread, withUsual } from './amounts';
 import { KINDS } from './labels';
 import { SAID } from '../../../activities';
-import { FEW_ACTIVITIES, type Field, type Names, type Statement, atPlace, firstOf, freshValue, groupOf, nameOf, namesOf, parted, unshown, wayOf, withKey } from './model';
+import { FEW_ACTIVITIES, type Field, type Names, type Statement, atPlace, firstOf, fitted, freshValue, groupOf, knownName, nameOf, namesOf, ofWay, parted, unshown, wayOf, withKey } from './model';
 
-const NAMES: Names = { places: ['armchair', 'kitchen'], things: ['stove'], conditions: ['depression'], person: 'Margaret' };
+const NAMES: Names = { places: ['armchair', 'room'], rooms: ['room'], things: ['stove'], conditions: ['depression'], person: 'Walter', days: 7, first: '2009-05-01' };
 
 const kinds = Object.keys(KINDS);
 const EXAMPLES = [...page.matchAll(/```json\n(.*?)\n```/g)].map(([, json]) => JSON.parse(json!) as Statement);
@@ -113,11 +113,11 @@ test('times are hours and minutes, lengths are minutes, and shares are percent',
 test('other usual values keep the outer bounds that were stated', () => {
   const length = plain(1800, 1800, 'minutes');
   expect(length).toEqual({ low: 1620, from: 1800, to: 1800, high: 1980 });
-  expect(withUsual(length, 'from', 3600, 'minutes')).toEqual(plain(3600, 3600, 'minutes'));
+  expect(withSingle(length, 3600, 'minutes')).toEqual(plain(3600, 3600, 'minutes'));
   expect(withUsual(length, 'to', 2400, 'minutes')).toEqual({ low: 1800, from: 1800, to: 2400, high: 2400 });
   const wide = withSpread(plain(36_000, 36_000, 'clock'), 1800);
   expect([wide, plain(36_000, 36_000, 'clock'), plain(36_000, 39_600, 'clock')].map((value) => hasOwnBounds(value, 'clock'))).toEqual([true, false, false]);
-  expect(withUsual(wide, 'from', 39_600, 'clock')).toEqual({ low: 37_800, from: 39_600, to: 39_600, high: 41_400 });
+  expect(withSingle(wide, 39_600, 'clock')).toEqual({ low: 37_800, from: 39_600, to: 39_600, high: 41_400 });
   expect(setAfterMidnight(setAfterMidnight(wide, true), false)).toEqual(wide);
 });
 
@@ -133,5 +133,64 @@ test('the sentence at the cursor is found, with all its statements', () => {
 test('fields have plain names', () => {
   expect([nameOf('/when/lasts_s/high'), nameOf('/effect/later/by_s'), nameOf('/only_if/0/state')]).toEqual(['When, Length, never above', 'Change, Later, By', 'Only if, State']);
   const words = [{ text: 'bed', kind: 'place', about: 'place' }, { text: 'stove', kind: 'place', about: 'thing' }, { text: 'severe heart failure', kind: 'condition', about: 'condition' }] as const;
-  expect(namesOf(words, 'Agnes')).toEqual({ places: ['bed'], things: ['stove', 'bed'], conditions: ['heart-failure'], person: 'Agnes' });
+  expect(namesOf(words, 'Agnes')).toEqual({ places: ['bed'], rooms: [], things: ['stove', 'bed'], conditions: ['heart-failure'], person: 'Agnes', days: 0, first: '' });
+});
+
+test('one end of a range never changes the other, and a second value before the first is a fault', () => {
+  const morning = plain(28_800, 28_800, 'clock');
+  for (const typed of [3600, 36_000]) expect(withUsual(morning, 'to', typed, 'clock').from).toBe(28_800);
+  expect(isTurned(withUsual(plain(57_600, 57_600, 'clock'), 'to', 54_000, 'clock'))).toBe(true);
+  expect(isTurned(withUsual(plain(1800, 1800, 'minutes'), 'to', 240, 'minutes'))).toBe(true);
+  expect(isTurned(withUsual(plain(1800, 1800, 'minutes'), 'to', 2700, 'minutes'))).toBe(false);
+});
+
+test('the end of a range across midnight is on the next day', () => {
+  const night = withUsual(plain(82_800, 82_800, 'clock'), 'to', 3600, 'clock');
+  expect([night.from, night.to]).toEqual([82_800, 90_000]);
+  const evening = withUsual(night, 'from', 72_000, 'clock');
+  expect([evening.from, evening.to]).toEqual([72_000, 90_000]);
+  expect(withUsual(evening, 'to', 79_200, 'clock').to).toBe(79_200);
+});
+
+test('an end before the beginning is on the next day', () => {
+  const until = (at: number, end: number) => (fitted({ kind: 'habit', when: { time: { at: plain(at, at, 'clock') }, until_s: plain(end, end, 'clock') } }, 'when', NAMES).when as { until_s: Trapezoid }).until_s.from;
+  expect([until(82_800, 3600), until(36_000, 90_000), until(36_000, 43_200)]).toEqual([90_000, 3600 + 86_400, 43_200]);
+});
+
+test('a text that is no value of its field is named', () => {
+  expect(faultOf('25:00', 'clock', {})).toBe('Write a time such as 14:30.');
+  expect([faultOf('1.5', 'days', { whole: true, least: 1 }), faultOf('-1', 'plain', { whole: true, least: 1, most: 7 })]).toEqual(['Write a whole number, 1 or more.', 'Write a whole number from 1 to 7.']);
+  expect([faultOf('100.5', 'percent', { least: 0, most: 1 }), faultOf('3.3', 'percent', { least: 0, most: 1 })]).toEqual(['Write a number from 0 to 100.', '']);
+  for (const large of ['1e308', '1e307', '-1e308']) expect(faultOf(large, 'minutes', {})).toBe('Write a number.');
+  expect(faultOf('11:00', 'clock', { most: 36_000 })).toBe('Write a time up to 10:00.');
+});
+
+test('the limits of fields are those of the data', () => {
+  const inner = (field: Field, ...keys: string[]): Field => keys.reduce((of, key) => (of.form === 'group' ? of.fields.find((one) => one.key === key)! : of.form === 'items' ? of.items[Number(key)]! : of), field);
+  const limits = (...keys: string[]) => (inner(groupOf('habit')!, 'when', ...keys) as Extract<Field, { form: 'number' }>).limits;
+  expect(limits('chance', 'probability')).toMatchObject({ least: 0, most: 1 });
+  expect(limits('chance', 'days_a_week')).toMatchObject({ whole: true, least: 1, most: 7 });
+  expect(limits('days', 'every')).toMatchObject({ whole: true, least: 1 });
+});
+
+test('names are known whatever their case', () => {
+  expect([knownName(' Bedroom ', 'place', ['bedroom']), knownName('READS', 'activity', ['reads']), knownName('fixes clocks', 'activity', ['reads'])]).toEqual(['bedroom', 'reading', 'fixes clocks']);
+});
+
+/** The statements that the form begins with, after each choice of the user. */
+function beginnings(): Statement[] {
+  const firsts = kinds.filter((kind) => kind !== 'note').map((kind) => firstOf(kind, NAMES));
+  const chosen = (kind: string, key: string) => {
+    const field = groupOf(kind)!.fields.find((one) => one.key === key) as Extract<Field, { form: 'way' }>;
+    return field.options.map((option) => fitted({ ...firstOf(kind, NAMES), [key]: ofWay(option.value, option.field, NAMES) }, key, NAMES) as Statement);
+  };
+  const stumble = fitted({ ...firstOf('event', NAMES), activity: FEW_ACTIVITIES.event![1] }, 'activity', NAMES) as Statement;
+  return [...firsts, stumble, ...chosen('rule', 'whenever'), ...chosen('rule', 'response'), ...chosen('thing', 'effect'), ...chosen('change', 'effect')];
+}
+
+// A test of the server reads them.
+test('the statements to begin with are those that the server has read', async () => {
+  const text = `[\n${beginnings().map((one) => `  ${JSON.stringify(one)}`).join(',\n')}\n]\n`;
+  await expect(text).toMatchFileSnapshot('../../../testing/first-statements.json');
+  expect(groupOf('thing')!.fields.find(({ key }) => key === 'effect')).toMatchObject({ options: [{ value: 'forgets' }, { value: 'keeps_on' }, { value: 'spares' }] });
 });

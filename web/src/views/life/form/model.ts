@@ -5,23 +5,23 @@ import schema from '../../../../../schemas/statements.schema.json';
 import { SAID } from '../../../activities';
 import { type RootSchema, type Schema, aboutOf as describedAs, definitionOf, resolved as resolvedIn } from '../../../json-schema';
 import type { Completion, StatementView } from '../../../wire';
-import { type Amount, plain } from './amounts';
-import { choiceLabel, itemLabel, labelOf } from './labels';
+import { type Amount, type Limits, type Trapezoid, isAfterMidnight, plain, setAfterMidnight } from './amounts';
+import { choiceLabel, itemLabel, labelOf, onOff, severities } from './labels';
 
 export type Statement = { kind: string } & Record<string, unknown>;
 
 /** Names of the home, for fields that take one. */
-export type Names = { places: readonly string[]; things: readonly string[]; conditions: readonly string[]; person: string };
+export type Names = { places: readonly string[]; rooms: readonly string[]; things: readonly string[]; conditions: readonly string[]; person: string; /** The number of days of the run, and its first date. */ days: number; first: string };
 
 /** The names among the words that a routine may use. */
-export function namesOf(words: readonly Completion[], person: string): Names {
+export function namesOf(words: readonly Completion[], person: string, days = 0, first = ''): Names {
   const of = (kind: Completion['kind'], ...about: string[]) => words.filter((word) => word.kind === kind && (about.length === 0 || about.includes(word.about))).map(({ text }) => text);
   const conditions = of('condition').map((shown) => shown.replace(/^(mild|moderate|severe) /, '').replaceAll(' ', '-'));
-  return { places: of('place', 'place', 'room'), things: [...of('place', 'thing'), ...of('place', 'place')], conditions: [...new Set(conditions)], person };
+  return { places: of('place', 'place', 'room'), rooms: of('place', 'room'), things: [...of('place', 'thing'), ...of('place', 'place')], conditions: [...new Set(conditions)], person, days, first };
 }
 
 /** What a text names. */
-export type Naming = 'activity' | 'place' | 'thing' | 'condition' | 'visitor' | 'day' | 'words';
+export type Naming = 'activity' | 'place' | 'room' | 'thing' | 'condition' | 'visitor' | 'day' | 'words';
 
 type Base = {
   key: string;
@@ -36,9 +36,11 @@ type Base = {
 
 export type Field = Base &
   (
-    | { form: 'trapezoid'; amount: Amount }
-    | { form: 'number'; amount: Amount; whole: boolean }
-    | { form: 'flag' }
+    | { form: 'trapezoid'; amount: Amount; limits: Limits }
+    /** A number may have words, such as those of a severity. */
+    | { form: 'number'; amount: Amount; limits: Limits; words: Readonly<Record<string, number>> | null }
+    /** The words for yes and no, of a flag that is no box. */
+    | { form: 'flag'; words: readonly [string, string] | null }
     | { form: 'text'; naming: Naming }
     | { form: 'choice'; options: Option[] }
     /** Any of some words. */
@@ -62,7 +64,7 @@ const MAIN: Readonly<Record<string, readonly string[]>> = {
   sleep: ['activity', 'place', 'when'],
   away: ['activity', 'eats_out', 'when'],
   visit: ['visitor', 'does', 'key', 'when'],
-  event: ['activity', 'falling', 'when'],
+  event: ['activity', 'place', 'falling', 'when'],
   change: ['effect', 'when'],
   thing: ['effect', 'when'],
   rule: ['whenever', 'lasts_s', 'only_if', 'response', 'then'],
@@ -84,7 +86,8 @@ export const FEW_ACTIVITIES: Readonly<Record<string, readonly string[]>> = {
   event: ['falls', 'nearly falls'].map(labelOfWords),
 };
 
-const clock = (hours: number) => plain(hours * 3600, hours * 3600, 'clock');
+const clockOf = (hours: number) => hours * 3600;
+const clock = (hours: number) => plain(clockOf(hours), clockOf(hours), 'clock');
 const minutes = (number: number) => plain(number * 60, number * 60, 'minutes');
 
 /** Statements to begin with, without their kinds. */
@@ -94,7 +97,7 @@ const FIRST: Readonly<Record<string, Record<string, unknown>>> = {
   away: { activity: labelOfWords('leaves the apartment'), when: { time: { at: clock(10) }, lasts_s: minutes(120) } },
   visit: { visitor: 'daughter', activity: labelOfWords('visits'), when: { time: { at: clock(14) }, lasts_s: minutes(120) } },
   event: { activity: labelOfWords('falls'), when: { chance: { days_a_week: 1 } } },
-  change: { when: { phase: { from: 'day 40' } }, effect: { later: { activity: labelOfWords('gets up'), by_s: plain(3600, 3600, 'plain') } } },
+  change: { effect: { later: { activity: labelOfWords('gets up'), by_s: plain(3600, 3600, 'plain') } } },
   note: { text: '' },
 };
 
@@ -110,9 +113,25 @@ const AMOUNTS: readonly [RegExp, Amount][] = [
   [/\/(factor|pace|irregular|days_differ|restless)$/, 'factor'],
 ];
 
+/** The limits of numbers in the data, by the end of their path, where the schema has wider ones. */
+const LIMITS: readonly [RegExp, Limits][] = [
+  [/\/days_a_week$/, { least: 1, most: 7 }],
+  [/\/every$/, { least: 1 }],
+  [/\/of_month\/\d$/, { least: 0, most: 31 }],
+  [/\/(by_s|pace_each_week|pulse|respiration)$/, {}],
+  [/\/becomes\/0$/, { least: 0, most: 1 }],
+  [/\/times\/\d$/, { least: 1 }],
+];
+
+function limitsOf({ minimum, maximum, type }: Schema, path: string): Limits {
+  const whole = [type].flat().includes('integer');
+  return { whole, ...(matchOf(LIMITS, path) ?? { least: minimum ?? 0, most: maximum }) };
+}
+
 /** What texts name, by the end of their path. */
 const NAMINGS: readonly [RegExp, Naming][] = [
-  [/\/(place|at|dark)$/, 'place'],
+  [/\/(range\/place|dark)$/, 'room'],
+  [/\/(place|at)$/, 'place'],
   [/\/(thing|thing_on|on|rings)$/, 'thing'],
   [/\/condition$/, 'condition'],
   [/\/(visitor|company)$/, 'visitor'],
@@ -136,22 +155,28 @@ function fieldOf(raw: Schema, key: string, path: string, label: string, required
   const of = resolved(raw);
   const name = definitionOf(raw) ?? key;
   const base: Base = { key, label, about: aboutOf(raw.description === undefined ? of : raw), required, nullable: isOptional(of) || isOptional(raw), fallback: of.default };
-  if (name === 'Fuzzy') return { ...base, form: 'trapezoid', amount: matchOf(AMOUNTS, path) ?? 'plain' };
+  // A trapezoid is explained by its fields.
+  if (name === 'Fuzzy') return { ...base, about: raw.description === undefined ? '' : base.about, form: 'trapezoid', amount: matchOf(AMOUNTS, path) ?? 'plain', limits: limitsOf({}, path) };
   if (name === 'Activity') return { ...base, form: 'text', naming: 'activity' };
   if (name === 'PhaseDay') return { ...base, form: 'text', naming: 'day' };
   if (of.oneOf) return choiceOf(of, base, name, path);
   const options = optionsOf(of, key);
   if (options.length > 0) return { ...base, form: 'choice', options };
   const types = typesOf(of);
-  if (types.includes('boolean')) return { ...base, form: 'flag' };
-  if (types.includes('number') || types.includes('integer')) return { ...base, form: 'number', amount: matchOf(AMOUNTS, path) ?? 'plain', whole: types.includes('integer') };
+  if (types.includes('boolean')) return { ...base, form: 'flag', words: onOff(key) };
+  if (types.includes('number') || types.includes('integer')) return { ...base, form: 'number', amount: matchOf(AMOUNTS, path) ?? 'plain', limits: limitsOf(of, path), words: severities(key) };
   if (types.includes('string')) return { ...base, form: 'text', naming: matchOf(NAMINGS, path) ?? 'words' };
   if (types.includes('array')) return listOf(of, base, path);
   return { ...base, form: 'group', name, fields: fieldsOf(of, path) };
 }
 
 function fieldsOf(of: Schema, path: string): Field[] {
-  return Object.entries(of.properties ?? {}).flatMap(([key, one]) => (key === 'kind' && one.const !== undefined ? [] : [fieldOf(one, key, `${path}/${key}`, labelOf(key), of.required?.includes(key) ?? false)]));
+  return Object.entries(of.properties ?? {}).flatMap(([key, one]) => (key === 'kind' && one.const !== undefined ? [] : [fieldOf(one, key, `${path}/${key}`, labelAt(`${path}/${key}`, key), of.required?.includes(key) ?? false)]));
+}
+
+/** The label of a field; the length of a rule is that of its trigger. */
+function labelAt(path: string, key: string): string {
+  return path === '/lasts_s' ? 'For at least' : path.endsWith('/turn/on') ? 'Turn it' : labelOf(key);
 }
 
 function optionsOf(of: Schema, key: string): Option[] {
@@ -177,7 +202,7 @@ function choiceOf(of: Schema, base: Base, name: string, path: string): Field {
 
 function innerLabel(field: Field): string {
   if (field.form === 'trapezoid') return field.amount === 'clock' ? 'Time of day' : 'Amount';
-  if (field.form === 'text') return { activity: 'Activity', place: 'Place', thing: 'Thing', condition: 'Condition', visitor: 'Who', day: 'Day', words: 'Words' }[field.naming];
+  if (field.form === 'text') return { activity: 'Activity', place: 'Place', room: 'Room', thing: 'Thing', condition: 'Condition', visitor: 'Who', day: 'Day', words: 'Words' }[field.naming];
   if (field.form === 'choice') return 'Which';
   return field.label;
 }
@@ -197,10 +222,20 @@ function isOptional(of: Schema): boolean {
 
 export type Group = Extract<Field, { form: 'group' }>;
 
+/** Effects on things, which are statements of a kind of their own. */
+const OF_THINGS: ReadonlySet<string> = new Set(['forgets', 'keeps_on', 'spares']);
+
+/** The effects that a kind of statement has. */
+function withOwnEffects(field: Field, kind: string): Field {
+  if (field.key !== 'effect' || field.form !== 'way') return field;
+  return { ...field, options: field.options.filter(({ value }) => OF_THINGS.has(value) === (kind === 'thing')) };
+}
+
 const groups = new Map<string, Group>(
   kinds.map((of) => {
     const kind = of.properties!.kind!.const!;
-    return [kind, { form: 'group', name: kind, key: kind, label: '', about: aboutOf(of), required: true, nullable: false, fallback: undefined, fields: fieldsOf(of, '') }];
+    const fields = fieldsOf(of, '').map((field) => withOwnEffects(field, kind));
+    return [kind, { form: 'group', name: kind, key: kind, label: '', about: aboutOf(of), required: true, nullable: false, fallback: undefined, fields }];
   }),
 );
 
@@ -222,23 +257,44 @@ function usualThing({ things }: Names): string {
   return things.find((name) => /stove|cooker/i.test(name)) ?? things[0] ?? '';
 }
 
+/** A day in the middle of the run, at most its 40th. */
+export function dayInside({ days }: Names): string {
+  return `day ${days === 0 ? 1 : Math.min(40, Math.ceil(days / 2))}`;
+}
+
+/** A name as it is known, whatever its case and the space around it. */
+export function knownName(text: string, naming: Naming, offered: readonly string[]): string {
+  const written = text.trim();
+  const known = offered.find((one) => one.toLowerCase() === written.toLowerCase()) ?? written;
+  return naming === 'activity' ? labelOfWords(known) : known;
+}
+
+/** The gain of an aversion, as the sentences have it. */
+const SHY_GAIN = 1.5;
+
+/** Flags that are off at first. */
+const UNUSUAL: ReadonlySet<string> = new Set(['slowly', 'very']);
+
 /** A value to begin with. */
 export function freshValue(field: Field, names: Names): unknown {
   switch (field.form) {
     case 'trapezoid':
       return { clock: plain(43_200, 43_200, 'clock'), minutes: plain(1800, 1800, field.key === 'by_s' ? 'plain' : 'minutes'), speed: plain(0.7, 0.7, 'speed'), factor: plain(1.5, 1.5, 'factor'), rate: plain(5, 5, 'rate'), percent: null, days: null, metres: null, plain: plain(1, 1, 'plain') }[field.amount];
     case 'number':
+      if (field.key === 'gain') return SHY_GAIN;
       return { clock: 43_200, percent: 0.5, days: 7, metres: 50, minutes: 1800, speed: 1, factor: 1, rate: 1, plain: 1 }[field.amount];
     case 'flag':
-      return true;
+      return !UNUSUAL.has(field.key);
     case 'text':
-      return { activity: labelOfWords('reads'), place: names.places[0] ?? '', thing: usualThing(names), condition: names.conditions[0] ?? '', visitor: field.required ? 'daughter' : null, day: 'day 1', words: '' }[field.naming];
+      return { activity: labelOfWords('reads'), place: names.places[0] ?? '', room: names.rooms[0] ?? '', thing: usualThing(names), condition: names.conditions[0] ?? '', visitor: field.required ? 'daughter' : null, day: dayInside(names), words: '' }[field.naming];
     case 'choice':
       return field.options[0]!.value;
     case 'set':
     case 'list':
       return [];
     case 'items':
+      // A time that has come has passed until midnight.
+      if (field.key === 'between') return [clockOf(12), clockOf(24)];
       return field.items.map((item) => (item.required ? freshValue(item, names) : null));
     case 'group':
       return Object.fromEntries(field.fields.filter(({ required }) => required).map((inner) => [inner.key, freshValue(inner, names)]));
@@ -265,13 +321,48 @@ export function wayOf(value: unknown): { chosen: string; inner: unknown } {
 /** A statement of a kind to begin with. */
 export function firstOf(kind: string, names: Names): Statement {
   const first = FIRST[kind];
-  if (first !== undefined) return { kind, ...structuredClone(first) };
+  if (kind === 'change') return { kind, when: { phase: { from: dayInside(names) } }, ...structuredClone(first) };
+  if (first !== undefined) return fitted({ kind, ...structuredClone(first) }, 'activity', names) as Statement;
   const fields = freshValue(groupOf(kind)!, names) as Record<string, unknown>;
-  if (kind === 'person') return { kind, name: names.person };
+  if (kind === 'person') return { kind, name: names.person, age_years: 80 };
   const thing = usualThing(names);
   if (kind === 'thing') return { kind, when: { chance: { probability: 0.05 } }, effect: { forgets: { thing } } };
   if (kind === 'rule') return { kind, whenever: { on: thing }, lasts_s: plain(1200, 1200, 'minutes'), response: { turn: { thing, on: false } } };
   return { kind, ...fields };
+}
+
+/** Triggers that happen in a moment, and so have no length. */
+const MOMENTS: ReadonlySet<string> = new Set(['rings', 'done', 'between', 'follows', 'wakes']);
+
+/** What effects need to be sentences: a chance, or a time. */
+const WHEN_OF_EFFECT: Readonly<Record<string, Record<string, unknown>>> = {
+  forgets: { chance: { probability: 0.05 } },
+  keeps_on: { time: { within: 'night' } },
+  spares: {},
+  skips: { chance: { probability: 0.2 } },
+  days_are: { chance: { probability: 0.2 } },
+};
+
+/** A statement after a change of a field, without what does not fit it any more. */
+export function fitted(statement: Record<string, unknown>, key: string, names: Names): Record<string, unknown> {
+  if (key === 'whenever' && MOMENTS.has(wayOf(statement.whenever).chosen)) return withKey(statement, 'lasts_s', undefined);
+  if (key === 'when') {
+    const when = (statement.when ?? {}) as { time?: { at?: Trapezoid }; until_s?: Trapezoid | null; nights?: number };
+    const [at, until] = [when.time?.at, when.until_s];
+    if (!at || !until || when.nights || isAfterMidnight(at)) return statement;
+    // From 23:00 until 01:00 ends on the next day.
+    const clockTime = setAfterMidnight(until, false);
+    return { ...statement, when: { ...when, until_s: setAfterMidnight(until, clockTime.from < at.from) } };
+  }
+  if (key === 'effect') {
+    const { chance: _, time: __, lasts_s: ___, ...rest } = (statement.when ?? {}) as Record<string, unknown>;
+    return { ...statement, when: { ...rest, ...WHEN_OF_EFFECT[wayOf(statement.effect).chosen] } };
+  }
+  if (statement.kind === 'event' && key === 'activity') {
+    const fall = groupOf('event')!.fields.find((field) => field.key === 'falling')!;
+    return withKey(statement, 'falling', statement.activity === labelOfWords('falls') ? (statement.falling ?? freshValue(fall, names)) : undefined);
+  }
+  return statement;
 }
 
 /** Another value of a key; an undefined one is removed. */
@@ -334,7 +425,7 @@ export function atPlace(all: readonly StatementView[], { line, column }: TextPla
 
 /** The words for a field, by its JSON pointer. */
 export function nameOf(pointer: string): string {
-  const bounds: Record<string, string> = { low: 'never below', high: 'never above', from: 'usual from', to: 'usual to' };
+  const bounds: Record<string, string> = { low: 'never below', high: 'never above', from: 'from', to: 'to' };
   const keys = pointer.split('/').filter((part) => part !== '' && !/^\d+$/.test(part));
-  return keys.map((key, index) => (index > 0 && index === keys.length - 1 && bounds[key] !== undefined ? bounds[key] : labelOf(key))).join(', ');
+  return keys.map((key, index) => (index > 0 && index === keys.length - 1 && bounds[key] !== undefined ? bounds[key] : labelAt(`/${keys.slice(0, index + 1).join('/')}`, key))).join(', ');
 }
