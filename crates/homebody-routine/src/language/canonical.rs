@@ -280,8 +280,8 @@ fn share_words(share: f64, of: &str) -> String {
 /// The shortest percentage of a share: 0.07 is 7 %, although 0.07 × 100 is 7.000000000000001 in binary.
 fn percent(share: f64) -> f64 {
     let exact = share * 100.0;
-    let rounded = |digits: i32| (exact * 10_f64.powi(digits)).round() / 10_f64.powi(digits);
-    (0..=12).map(rounded).find(|percent| percent / 100.0 == share).unwrap_or(exact)
+    let scales = std::iter::successors(Some(1.0), |scale| Some(scale * 10.0)).take(13);
+    scales.map(|scale: f64| (exact * scale).round() / scale).find(|percent| percent / 100.0 == share).unwrap_or(exact)
 }
 
 /// The words of a visitor: a name, or the relation to the resident.
