@@ -114,24 +114,10 @@ impl DrawnLife {
     /// Simulates the life and measures each of its statements.
     pub fn measure(&self) -> Vec<FieldRow> {
         let mut rows = Vec::new();
-        let mut left: Vec<usize> = (0..self.statements.len()).collect();
-        // The program reported a refused statement. The others are measured without it.
-        let life = loop {
-            match self.simulate(&left) {
-                Ok(life) => break life,
-                Err(problems) => {
-                    let before = left.len();
-                    left.retain(|index| {
-                        let why = problems.iter().find(|(of, _)| of.is_none_or(|of| of == *index));
-                        rows.extend(why.map(|(_, why)| self.refused(*index, why)));
-                        why.is_none()
-                    });
-                    if left.is_empty() || left.len() == before {
-                        return rows;
-                    }
-                }
-            }
-        };
+        // Without a statement, there is nothing to measure.
+        let simulate = |left: &[usize]| if left.is_empty() { Err(Refusals::new()) } else { self.simulate(left) };
+        let accepted = self.with_accepted(simulate, |index, why| rows.push(self.refused(index, why)));
+        let Some((life, left)) = accepted else { return rows };
         let view = self.view(&life);
         for &index in &left {
             let statement = &self.statements[index];
@@ -252,17 +238,31 @@ impl DrawnLife {
 
     /// The scenario of the life without the statements that the program refuses, and its seed.
     pub fn scenario(&self) -> Option<(Scenario, Household, u64)> {
+        let load = |left: &[usize]| self.load(&self.routine(left, &[]), left);
+        let ((scenario, household), _) = self.with_accepted(load, |_, _| {})?;
+        Some((scenario, household, self.seed))
+    }
+
+    /// The result for the statements that the program accepts, with their indices. `refused` takes each of the others with its reason.
+    fn with_accepted<T>(
+        &self,
+        make: impl Fn(&[usize]) -> Result<T, Refusals>,
+        mut refused: impl FnMut(usize, &str),
+    ) -> Option<(T, Vec<usize>)> {
         let mut left: Vec<usize> = (0..self.statements.len()).collect();
         loop {
-            match self.load(&self.routine(&left, &[]), &left) {
-                Ok((scenario, household)) => return Some((scenario, household, self.seed)),
-                Err(refusals) => {
-                    let before = left.len();
-                    left.retain(|index| !refusals.iter().any(|(of, _)| of.is_none_or(|of| of == *index)));
-                    if left.len() == before {
-                        return None;
-                    }
-                }
+            let refusals = match make(&left) {
+                Ok(made) => return Some((made, left)),
+                Err(refusals) => refusals,
+            };
+            let before = left.len();
+            left.retain(|&index| {
+                let why = refusals.iter().find(|(of, _)| of.is_none_or(|of| of == index));
+                why.iter().for_each(|(_, why)| refused(index, why));
+                why.is_none()
+            });
+            if left.len() == before {
+                return None;
             }
         }
     }

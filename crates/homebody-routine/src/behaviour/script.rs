@@ -29,7 +29,7 @@ pub const ACTED_ON: [Role; 12] = [
     Role::FrontDoor,
 ];
 
-/// The place of a visitor for whom the host waits.
+/// The visitor's next place, which a host at the door waits for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AwaitedGuest {
     In,
