@@ -413,13 +413,17 @@ export type CareView = {
  */
 name: string, person: string, 
 /**
- * The reported day, as `2009-03-02`.
+ * The last day that counts, as `2009-03-02`.
  */
-day: string | null, 
+day: string | null, headline: Headline, 
 /**
- * True with enough days before the last two weeks for a comparison.
+ * The days with which others are compared; null before the first day that counts.
  */
-is_compared: boolean, remarks: Array<string>, 
+reference: ReferenceDays | null, remarks: Array<string>, 
+/**
+ * Sensors that are silent, in sentences.
+ */
+silent: Array<string>, 
 /**
  * The content of its playback.
  */
@@ -429,13 +433,17 @@ walks: PlaybackContent,
  */
 days: Array<CareDay>, 
 /**
- * About the last two weeks, changes first.
+ * Days on which nobody was at home for most of the day.
+ */
+absences: Array<DaysAway>, 
+/**
+ * About the last two weeks.
  */
 sentences: Array<CareSentenceView>, 
 /**
  * The latest first.
  */
-alerts: Array<AlertView>, charts: Array<MeasureChart>, };
+episodes: Array<Episode>, charts: Array<MeasureChart>, };
 
 export type PlaybackContent = "lived" | "walked_back" | "sensors" | "no_home";
 
@@ -451,29 +459,95 @@ export type MeasureWords = { measure: string,
 /**
  * In words, such as `Slept for 7.2 hours, as usual`.
  */
+words: string, beside: BesideUsual, };
+
+export type BesideUsual = "more" | "less" | "as_usual" | "not_known";
+
+export type MeasureGroup = "night" | "bathroom" | "meals" | "out" | "moving" | "rhythm";
+
+export type Headline = { state: HeadlineState, 
+/**
+ * A sentence, without a full stop.
+ */
+words: string, };
+
+export type HeadlineState = "look_today" | "changed" | "not_known" | "as_usual";
+
+export type ReferenceDays = { from: string, to: string, 
+/**
+ * The number of days that count.
+ */
+days: number, 
+/**
+ * Somebody chose its first day. Otherwise it is the first of the log.
+ */
+is_marked: boolean, };
+
+export type DaysAway = { from: string, to: string, };
+
+export type Episode = { 
+/**
+ * The estimated first day.
+ */
+since: string, 
+/**
+ * The day after whose end it was found.
+ */
+found: string, 
+/**
+ * The first day that was as usual again; `None` while it lasts.
+ */
+over: string | null, course: Course, 
+/**
+ * The strongest first.
+ */
+signs: Array<Sign>, 
+/**
+ * Conditions that make such signs in simulated lives, the likeliest first.
+ */
+seen_with: Array<SeenWith>, 
+/**
+ * The signs in a sentence, without a full stop.
+ */
+words: string, };
+
+export type Course = "growing" | "steady" | "easing" | "over";
+
+export type Sign = { measure: string, is_more: boolean, 
+/**
+ * The mean of the last week of the episode.
+ */
+value: number, 
+/**
+ * The usual value of the same days.
+ */
+usual: number, 
+/**
+ * The mean distance of all days of the episode, in standard deviations of a day.
+ */
+shift_sd: number, 
+/**
+ * The days that show it.
+ */
+shown_by: string[], 
+/**
+ * The difference in words, such as `getting up 47 min later`.
+ */
 words: string, 
 /**
- * More than usual, or less; `None` as usual.
+ * The value and the usual one, such as `at 07:34 on average, usually 06:46`.
  */
-is_more: boolean | null, };
+numbers: string, };
+
+export type SeenWith = { condition: string, likelihood_ratio: number, };
 
 export type CareSentenceView = { words: string, 
 /**
  * The number of days, and the result.
  */
-numbers: string, measure: string, is_change: boolean, days: Array<string>, };
+numbers: string, measure: string, days: Array<string>, };
 
-export type AlertView = { day: string, rule: string, words: string, 
-/**
- * The value, and the usual value.
- */
-numbers: string, measures: Array<string>, 
-/**
- * The days with the evidence.
- */
-days: Array<string>, };
-
-export type MeasureChart = { measure: string, title: string, unit: ValueForm, 
+export type MeasureChart = { measure: string, title: string, group: MeasureGroup, unit: ValueForm, 
 /**
  * Smaller differences do not count.
  */
@@ -483,7 +557,7 @@ little: number,
  */
 is_guess: boolean, days: Array<ChartPoint>, };
 
-export type ValueForm = "hours" | "clock" | "times" | "of_usual" | "metres_a_second";
+export type ValueForm = "hours" | "clock" | "times" | "of_usual" | "metres_a_second" | "amount";
 
 export type ChartPoint = { day: string, 
 /**
@@ -491,23 +565,29 @@ export type ChartPoint = { day: string,
  */
 value: number | null, 
 /**
- * The usual range at that time: from a standard deviation below the mean to one above.
+ * The usual range on that day.
  */
 usual: [number, number] | null, };
 
 export type NoteView = { 
 /**
- * As `2009-03-02`.
+ * As `2009-03-02`: the day, or that on which the episode was found.
  */
-day: string, 
-/**
- * The rule of the alert; empty for a note about the day.
- */
-rule: string, 
+day: string, about: NoteSubject, 
 /**
  * True once a person has dealt with it.
  */
-seen: boolean, note: string, };
+seen: boolean, note: string, 
+/**
+ * The name of the person who has written it; empty if none is given.
+ */
+who: string, 
+/**
+ * The time at which it was stored, as `2009-03-02T14:05`, by the clock of the server; empty in a new note.
+ */
+at: string, };
+
+export type NoteSubject = "day" | "episode" | "reference";
 
 export type NoteChange = { 
 /**

@@ -106,12 +106,6 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> LogAlerts {
     LogAlerts { name: measures.name.clone(), days: measures.days.len(), days_that_count, remarks, alerts }
 }
 
-/// The usual of a day by the days before it that count: mean and standard deviation, which is `least_sd` at least.
-pub(crate) fn usual_before(values: &[Option<f64>], day: usize, least_sd: f64) -> Option<(f64, f64)> {
-    let before = &values[day.saturating_sub(rule::fourteen())..day];
-    Baseline::from_values(before, rule::seven(), least_sd).map(|usual| (usual.mean, usual.sd))
-}
-
 fn usual(rule: &AlertRule, values: &[Option<f64>], day: usize) -> Option<Baseline> {
     let before = &values[day.saturating_sub(rule.baseline_days)..day];
     Baseline::from_values(before, rule.min_days, rule.least_sd)

@@ -1,26 +1,22 @@
-//! A report for carers: the last day compared with the usual, changes, alerts and charts.
+//! A report for carers: the headline, the episodes, the days, and a chart of each measure.
 //!
-//! It comes from measures, alerts and summaries, in words without sensors. The usual value of a day is the mean of the complete
-//! days before it, with their standard deviation, as in alerts.
+//! It comes from measures, episodes and summaries, in words without sensors. Days are compared with the reference of the episodes.
 
-use crate::alerts::{Alert, Rules, alerts, usual_before};
-use crate::measures::{DailyMeasure, DayMeasures, MEASURES, Measures, ValueForm};
+use crate::episodes::{Usual, WatchOptions, WatchedDays, watch};
+use crate::measures::{DailyMeasure, DayMeasures, MEASURES, MeasureGroup, Measures, ValueForm};
 use crate::summaries::{SummarySentence, SummarySubject, summarise};
 use jiff::civil::Date;
 use serde::Serialize;
 
 #[derive(Clone, Debug)]
 pub struct Care {
-    /// The last whole day, which is compared with the usual.
+    /// The last day that counts.
     pub day: Option<Date>,
+    pub watched: WatchedDays,
     pub remarks: Vec<String>,
-    /// Enough days lie before the last two weeks to show changes.
-    pub is_compared: bool,
     pub days: Vec<CareDay>,
-    /// Sentences about the last two weeks: first those about changes.
+    /// Sentences about the last two weeks.
     pub sentences: Vec<SummarySentence>,
-    /// The alerts, the latest first.
-    pub alerts: Vec<Alert>,
     pub charts: Vec<MeasureChart>,
 }
 
@@ -32,7 +28,7 @@ pub struct CareDay {
     #[cfg_attr(feature = "wire", ts(type = "string"))]
     pub date: Date,
     pub known: DayKnowledge,
-    /// The measures for carers; none on a day that does not count, and none that is a guess.
+    /// The measures; none on a day that does not count.
     pub told: Vec<MeasureWords>,
 }
 
@@ -56,8 +52,19 @@ pub struct MeasureWords {
     pub measure: &'static str,
     /// In words, such as `Slept for 7.2 hours, as usual`.
     pub words: String,
-    /// More than usual, or less; `None` as usual.
-    pub is_more: Option<bool>,
+    pub beside: BesideUsual,
+}
+
+/// A value of a day beside the usual one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
+pub enum BesideUsual {
+    More,
+    Less,
+    AsUsual,
+    /// Too few days lie before.
+    NotKnown,
 }
 
 /// A measure day by day.
@@ -66,6 +73,7 @@ pub struct MeasureWords {
 pub struct MeasureChart {
     pub measure: &'static str,
     pub title: &'static str,
+    pub group: MeasureGroup,
     pub unit: ValueForm,
     /// Smaller differences do not count.
     pub little: f64,
@@ -82,62 +90,65 @@ pub struct ChartPoint {
     pub date: Date,
     /// The measure; `None` where it is unknown, or the day does not count.
     pub value: Option<f64>,
-    /// The usual range at that time: from a standard deviation below the mean to one above.
+    /// The usual range on that day.
     pub usual: Option<(f64, f64)>,
 }
 
 /// Number of the last days that sentences are about.
 pub const LAST_DAYS: usize = 14;
 
-/// Standard deviations from the mean at which a day is unusual, and difference below which a day is usual in any case
-/// (our choice).
+/// Standard deviations from the usual value at which a day is unusual (our choice).
 const UNUSUAL_SD: f64 = 2.0;
-/// The measures of the report with their least standard deviations, in the order of a day's account. The better of two measures
-/// of one thing follows the other and replaces it if it has values: sleep needs movements in the bedroom, speed needs a home.
-fn rows(measures: &Measures) -> Vec<(&'static DailyMeasure, f64)> {
-    let number = |name: &str| MEASURES.iter().position(|measure| measure.name == name);
-    let uses = || MEASURES.iter().filter_map(|measure| Some((measure, measure.care?)));
-    let has_values = |measure: &DailyMeasure| measures.days.iter().any(|day| day.value(measure.name).is_some());
-    let is_replaced = |name: &str| uses().any(|(better, care)| care.instead_of == Some(name) && has_values(better));
-    let mut rows: Vec<_> = uses().filter(|(measure, _)| !is_replaced(measure.name)).collect();
-    rows.sort_by_key(|(measure, care)| number(care.instead_of.unwrap_or(measure.name)));
-    rows.into_iter().map(|(measure, care)| (measure, care.least_sd)).collect()
+
+/// The numbers of the measures in a report, by group. The better of two measures of one thing replaces the other if it has values: sleep
+/// needs movements in the bedroom, speed needs a home.
+fn rows(measures: &Measures) -> Vec<usize> {
+    let has_values = |number: usize| measures.days.iter().any(|day| day.values[number].is_some());
+    let is_replaced = |name: &str| {
+        MEASURES.iter().enumerate().any(|(better, of)| of.instead_of == Some(name) && has_values(better))
+    };
+    let mut rows: Vec<usize> =
+        (0..MEASURES.len()).filter(|&number| has_values(number) && !is_replaced(MEASURES[number].name)).collect();
+    rows.sort_by_key(|&number| MEASURES[number].group);
+    rows
 }
 
 /// A report by the measures of days; `subject` is the resident in its sentences.
-pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
-    let last = measures.days.iter().rposition(DayMeasures::counts);
+pub fn care(measures: &Measures, options: WatchOptions, subject: &str) -> Care {
+    let watched = watch(measures, options);
+    let mut days: Vec<CareDay> = measures.days.iter().map(without_words).collect();
     let mut charts = Vec::new();
-    let mut days: Vec<CareDay> = measures.days.iter().map(nothing_told).collect();
-    for (measure, least_sd) in rows(measures) {
-        let chart = chart(measure, least_sd, measures);
-        if !chart.is_guess {
-            let values: Vec<Option<f64>> = chart.days.iter().map(|day| day.value).collect();
-            for (number, value) in values.iter().enumerate() {
-                let told = value.map(|value| of_day(measure, value, usual_before(&values, number, least_sd)));
-                days[number].told.extend(told);
+    for number in rows(measures) {
+        let (measure, is_guess) = (&MEASURES[number], measures.guesses.contains(&MEASURES[number].name));
+        let mut points = Vec::new();
+        for (day, of) in measures.days.iter().enumerate() {
+            let value = of.values[number].filter(|_| of.counts());
+            let usual = watched.usual[day][number];
+            if let Some(value) = value.filter(|_| !is_guess) {
+                days[day].told.extend(measure_words(measure, value, of.date, usual));
             }
+            // Nothing that is measured is below 0.
+            let range = |usual: Usual| {
+                let (middle, wide) = (usual.on(of.date), UNUSUAL_SD * usual.spread);
+                ((middle - wide).max(0.0), middle + wide)
+            };
+            points.push(ChartPoint { date: of.date, value, usual: usual.map(range) });
         }
-        if chart.days.iter().any(|day| day.value.is_some()) {
-            charts.push(chart);
-        }
+        let DailyMeasure { name, title, group, unit, least_sd, .. } = *measure;
+        charts.push(MeasureChart { measure: name, title, group, unit: unit.form, little: least_sd, is_guess, days: points });
     }
     let summary = summarise(measures, SummarySubject { subject, last: LAST_DAYS });
-    let mut alerts = alerts(measures, rules).alerts;
-    alerts.reverse();
-    let day = last.map(|last| measures.days[last].date);
     Care {
-        day,
-        is_compared: summary.is_compared,
+        day: measures.days.iter().rfind(|day| day.counts()).map(|day| day.date),
+        watched,
         remarks: summary.remarks,
         days,
-        sentences: summary.sentences,
-        alerts,
+        sentences: summary.sentences.into_iter().filter(|sentence| sentence.is_more.is_none()).collect(),
         charts,
     }
 }
 
-fn nothing_told(day: &DayMeasures) -> CareDay {
+fn without_words(day: &DayMeasures) -> CareDay {
     let known = match (day.is_whole, day.counts()) {
         (false, _) => DayKnowledge::Partly,
         (true, false) => DayKnowledge::Away,
@@ -146,24 +157,20 @@ fn nothing_told(day: &DayMeasures) -> CareDay {
     CareDay { date: day.date, known, told: Vec::new() }
 }
 
-fn chart(of: &DailyMeasure, little: f64, measures: &Measures) -> MeasureChart {
-    let value = |day: &DayMeasures| day.value(of.name).filter(|_| day.counts());
-    let values: Vec<Option<f64>> = measures.days.iter().map(value).collect();
-    let point = |(number, day): (usize, &DayMeasures)| {
-        // Nothing that is measured is below 0.
-        let usual = usual_before(&values, number, little).map(|(mean, sd)| ((mean - sd).max(0.0), mean + sd));
-        ChartPoint { date: day.date, value: values[number], usual }
+/// A measure of a day in words; `None` where only a usual value would give it a meaning.
+fn measure_words(measure: &'static DailyMeasure, value: f64, date: Date, usual: Option<Usual>) -> Option<MeasureWords> {
+    let beside = usual.map_or(BesideUsual::NotKnown, |usual| match usual.distance(date, value) {
+        by if by > UNUSUAL_SD => BesideUsual::More,
+        by if by < -UNUSUAL_SD => BesideUsual::Less,
+        _ => BesideUsual::AsUsual,
+    });
+    let is_more = match beside {
+        BesideUsual::More => Some(true),
+        BesideUsual::Less => Some(false),
+        BesideUsual::AsUsual | BesideUsual::NotKnown => None,
     };
-    let days = measures.days.iter().enumerate().map(point).collect();
-    let is_guess = measures.guesses.contains(&of.name);
-    MeasureChart { measure: of.name, title: of.title, unit: of.unit.form, little, is_guess, days }
-}
-
-/// A measure of a day in words, with the usual mean and standard deviation.
-fn of_day(measure: &'static DailyMeasure, value: f64, usual: Option<(f64, f64)>) -> MeasureWords {
-    let beside = usual.map(|(mean, sd)| (mean, ((value - mean).abs() > UNUSUAL_SD * sd).then_some(value > mean)));
-    let is_more = beside.and_then(|(_, is_more)| is_more);
-    MeasureWords { measure: measure.name, words: measure.day_words(value, beside), is_more }
+    let words = measure.day_words(value, usual.map(|usual| (usual.on(date), is_more)))?;
+    Some(MeasureWords { measure: measure.name, words, beside })
 }
 
 #[cfg(test)]

@@ -48,7 +48,10 @@ pub mod measures;
 
 mod phrases;
 
-/// Differences from before that are worth a visit.
+/// Times in which days differ from a reference.
+pub mod episodes;
+
+/// Alerts by rules of the user's own.
 pub mod alerts;
 
 pub mod summaries;

@@ -4,6 +4,8 @@
 //! alerts from each log are compared with that day. An alert before it is a false alarm, and so is any alert of a person without a
 //! condition. Lead is counted back from the day of the full effect.
 
+pub mod people;
+
 use homebody_analysis::alerts::{AlertMethod, AlertRule, Rules};
 use homebody_placement::adequacy::{
     Adequacy, Alerts, FalseAlarmCount, WITHIN, Watched, Z, adequacy, alerts_of, conditions, delays, false_alarms, mean,

@@ -1,21 +1,21 @@
-//! The delay between conditions of people and the alerts about them, and the number of false alerts.
+//! The delay between conditions of people and the episodes that are found, and the number of false episodes.
 //!
-//! Each person has one condition from a known day on, or none. An alert before that day is a false alarm, and so is any
-//! alert of a person without a condition.
+//! Each person has one condition from a known day on, or none. An episode that is found before that day is false, and so is any
+//! episode of a person without a condition.
 
-use homebody_analysis::alerts::{Rules, SENSOR, Several, alerts};
+use homebody_analysis::episodes::{WatchOptions, found_days};
 use homebody_analysis::measures::Measures;
 use homebody_core::statistics;
 use serde::Serialize;
 
-/// First day with alerts that count: before it, no person has a usual level.
-pub const FIRST: usize = 15;
+/// First day with episodes that count: before it, no person has a reference.
+pub const FIRST: usize = 28;
 /// Days within which a person counts as found.
 pub const WITHIN: usize = 28;
-/// Numbers of standard deviations that are tried.
-const SWEEP: [f64; 9] = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0];
-/// False alarms a week at which layouts are compared: one in five weeks, as in a published study of control charts.
-const BEARABLE_PER_WEEK: f64 = 0.2;
+/// Thresholds of evidence that are tried.
+const SWEEP: [f64; 12] = [2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 20.0, 30.0];
+/// False episodes a week at which layouts are compared (our choice): one in ten weeks.
+const BEARABLE_PER_WEEK: f64 = 0.1;
 /// Half the width of an interval of 95 %, in standard deviations.
 pub const Z: f64 = 1.96;
 
@@ -34,25 +34,13 @@ pub struct Watched<'a> {
     pub measures: &'a Measures,
 }
 
-pub type Alerts = Vec<(usize, String)>;
+/// The number of each day on which an episode was found.
+pub type FoundDays = Vec<usize>;
 
-/// Without alerts about sensors.
-pub fn alerts_of(measures: &Measures, rules: &Rules) -> Alerts {
-    let first = measures.days.first().map(|day| day.date);
-    let number = |date: jiff::civil::Date| {
-        let days = first.and_then(|first| first.until(date).ok()).map_or(0, |span| span.get_days());
-        usize::try_from(days).unwrap_or(0)
-    };
-    let of_person = alerts(measures, rules).alerts.into_iter().filter(|alert| alert.rule != SENSOR);
-    of_person.map(|alert| (number(alert.date), alert.rule)).collect()
-}
-
-pub fn swept(people: &[Watched], rules: &Rules) -> impl Iterator<Item = (f64, Vec<Alerts>)> {
-    let with = move |k_sd: f64| {
-        let mut rules = rules.clone();
-        rules.rules.iter_mut().for_each(|rule| rule.k_sd = k_sd);
-        rules.several = rules.several.map(|several| Several { k_sd: k_sd - 1.0, ..several });
-        (k_sd, people.iter().map(|watched| alerts_of(watched.measures, &rules)).collect())
+pub fn swept(people: &[Watched]) -> impl Iterator<Item = (f64, Vec<FoundDays>)> {
+    let with = move |threshold: f64| {
+        let options = WatchOptions { threshold: Some(threshold), ..WatchOptions::default() };
+        (threshold, people.iter().map(|watched| found_days(watched.measures, options)).collect())
     };
     SWEEP.into_iter().map(with)
 }
@@ -60,10 +48,9 @@ pub fn swept(people: &[Watched], rules: &Rules) -> impl Iterator<Item = (f64, Ve
 /// The performance of a layout of sensors, with no more false alarms than are bearable.
 #[derive(Clone, Debug, Serialize)]
 pub struct Adequacy {
-    /// The least number of standard deviations with bearable false alarms; the greatest one that was tried, if they
-    /// never are.
-    pub k_sd: f64,
-    pub false_alarms_per_week: f64,
+    /// The least threshold with bearable false episodes; the greatest one that was tried, if they never are.
+    pub threshold: f64,
+    pub false_episodes_per_week: f64,
     /// Share of the people with a condition who are found within 28 days.
     pub found: f64,
     /// Mean number of days until a person with a condition is found; 28 for a person who is not found by then.
@@ -75,27 +62,27 @@ pub struct Adequacy {
     pub by_person: Vec<f64>,
 }
 
-pub fn adequacy(people: &[Watched], rules: &Rules) -> Adequacy {
-    let per_week = |alerts: &[Alerts]| false_alarms(people, alerts, "any").per_week();
-    let (mut k_sd, mut alerts) = Default::default();
-    for with_more in swept(people, rules) {
-        (k_sd, alerts) = with_more;
-        if per_week(&alerts) <= BEARABLE_PER_WEEK {
+pub fn adequacy(people: &[Watched]) -> Adequacy {
+    let per_week = |found: &[FoundDays]| false_episodes(people, found).per_week();
+    let (mut threshold, mut found) = Default::default();
+    for with_more in swept(people) {
+        (threshold, found) = with_more;
+        if per_week(&found) <= BEARABLE_PER_WEEK {
             break;
         }
     }
     let days = |condition: &'static str| -> Vec<f64> {
-        let delays = delays(people, &alerts, Some(condition), "any");
+        let delays = delays(people, &found, Some(condition));
         delays.into_iter().map(|delay| delay.unwrap_or(WITHIN).min(WITHIN) as f64).collect()
     };
     let by_condition: Vec<(&str, Vec<f64>)> =
         conditions(people).into_iter().map(|condition| (condition, days(condition))).collect();
     let by_person: Vec<f64> = by_condition.iter().flat_map(|(_, days)| days.iter().copied()).collect();
-    let found = by_person.iter().filter(|days| **days < WITHIN as f64).count();
+    let found_in_time = by_person.iter().filter(|days| **days < WITHIN as f64).count();
     Adequacy {
-        k_sd,
-        false_alarms_per_week: per_week(&alerts),
-        found: found as f64 / by_person.len().max(1) as f64,
+        threshold,
+        false_episodes_per_week: per_week(&found),
+        found: found_in_time as f64 / by_person.len().max(1) as f64,
         days: mean(&by_person),
         by_condition: by_condition.iter().map(|(name, days)| ((*name).to_owned(), mean(days))).collect(),
         by_person,
@@ -113,36 +100,33 @@ pub fn conditions(people: &[Watched]) -> Vec<&'static str> {
     conditions
 }
 
-/// Days from the onset to the first alert of a rule (`any` for all rules), by person with a condition, or by person
-/// without one.
-pub fn delays(people: &[Watched], alerts: &[Alerts], condition: Option<&str>, rule: &str) -> Vec<Option<usize>> {
-    let of = people.iter().map(|watched| watched.person).zip(alerts);
-    let delay = |(person, alerts): (&Person, &Alerts)| {
-        let days = alerts.iter().filter(|(day, by)| *day >= person.onset && (rule == "any" || by == rule));
-        days.map(|(day, _)| day - person.onset).min()
+/// Days from the onset to the first episode that is found, by person with a condition, or by person without one.
+pub fn delays(people: &[Watched], found: &[FoundDays], condition: Option<&str>) -> Vec<Option<usize>> {
+    let of = people.iter().map(|watched| watched.person).zip(found);
+    let delay = |(person, found): (&Person, &FoundDays)| {
+        found.iter().filter(|day| **day >= person.onset).map(|day| day - person.onset).min()
     };
     of.filter(|(person, _)| person.condition == condition).map(delay).collect()
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-pub struct FalseAlarmCount {
+pub struct FalseEpisodes {
     pub count: f64,
     pub weeks: f64,
 }
 
-impl FalseAlarmCount {
+impl FalseEpisodes {
     pub fn per_week(self) -> f64 {
         if self.weeks > 0.0 { self.count / self.weeks } else { 0.0 }
     }
 }
 
-pub fn false_alarms(people: &[Watched], alerts: &[Alerts], rule: &str) -> FalseAlarmCount {
-    let mut all = FalseAlarmCount::default();
-    for (Watched { person, measures }, alerts) in people.iter().zip(alerts) {
+pub fn false_episodes(people: &[Watched], found: &[FoundDays]) -> FalseEpisodes {
+    let mut all = FalseEpisodes::default();
+    for (Watched { person, measures }, found) in people.iter().zip(found) {
         let end = if person.condition.is_some() { person.onset } else { measures.days.len() };
         all.weeks += end.saturating_sub(FIRST) as f64 / 7.0;
-        let is_false = |(day, by): &&(usize, String)| (FIRST..end).contains(day) && (rule == "any" || by == rule);
-        all.count += alerts.iter().filter(is_false).count() as f64;
+        all.count += found.iter().filter(|day| (FIRST..end).contains(day)).count() as f64;
     }
     all
 }
@@ -157,8 +141,7 @@ mod tests {
         let with_grief = Person { condition: Some("grief"), onset: 60, height: 28 };
         let healthy = Person { condition: None, ..with_grief };
         let people = [&with_grief, &healthy].map(|person| Watched { person, measures: &measures });
-        let rules: Rules = serde_json::from_str(r#"{ "rules": [] }"#).unwrap();
-        let never = adequacy(&people, &rules);
+        let never = adequacy(&people);
         assert_eq!((never.days, never.found, never.by_person), (28.0, 0.0, vec![28.0]));
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::people::{CONDITIONS, LoadedScenario, ONSET, People, PeopleError, PersonRun};
 use crate::search::{Goal, Layout, SearchStep, SimulatedPerson, SuggestedSteps, Trial, candidates};
-use homebody_analysis::alerts::Rules;
 use homebody_analysis::coverage;
 use homebody_core::home::form::HomeFile;
 use homebody_core::link::form::LinkFile;
@@ -19,7 +18,6 @@ pub struct Request<'a> {
     pub sensors: usize,
     pub people: u32,
     pub seed: u64,
-    pub rules: &'a Rules,
     /// The product of motion sensors; `None` for the sensor of Godsey & Skubic 2009.
     pub device: Option<Product>,
     pub build: Build,
@@ -75,7 +73,7 @@ pub fn propose(
     let names: Vec<String> = candidates.iter().map(|sensor| sensor.name().to_owned()).collect();
     let with_all = HomeFile { sensors: [&home.sensors[..], &candidates].concat(), ..home.clone() };
     let trial =
-        Trial { home: &with_all, goals: request.goals, people: &people, rules: request.rules, build: request.build };
+        Trial { home: &with_all, goals: request.goals, people: &people, build: request.build };
     let found = trial.best(&names, request.sensors, &|step, sensors| goes_on(Step::Searching(step, sensors)));
     let mut found = found.ok_or(PeopleError::Stopped)?;
     let mut own = (!own.is_empty()).then(|| trial.of(&own));

@@ -15,7 +15,6 @@
 
 use crate::adequacy::{Adequacy, Person, WITHIN, Watched, adequacy};
 use crate::simulated::SimulatedLog;
-use homebody_analysis::alerts::Rules;
 use homebody_analysis::coverage::{self, Coverage};
 use homebody_analysis::measures::{DailyMeasure, MEASURES, Measures};
 use homebody_core::geometry::{Point, contains};
@@ -157,7 +156,6 @@ pub struct Trial<'a> {
     pub home: &'a HomeFile,
     pub goals: &'a [Goal],
     pub people: &'a [SimulatedPerson],
-    pub rules: &'a Rules,
     pub build: Build,
 }
 
@@ -295,7 +293,7 @@ impl Trial<'_> {
             .filter_map(|(one, heard)| Some(Watched { person: &one.person, measures: heard.as_ref()? }))
             .collect();
         let shows = |goal: &Goal| matches!(goal, Goal::Condition(_));
-        let found = self.goals.iter().any(shows).then(|| adequacy(&watched, self.rules));
+        let found = self.goals.iter().any(shows).then(|| adequacy(&watched));
         let reached = |goal: &Goal| match *goal {
             Goal::Condition(name) => condition_score(name, found.as_ref()),
             Goal::Measure(number) => self.measure_score(number, &heard),

@@ -7,7 +7,7 @@ use crate::search::{
     BY_TRUTH, KnownStay, Listener, Query, SearchDay, SearchError, SearchGround, SearchResult, SearchSubject,
     TakeSearchRow, at_home, falls_in_rooms, find,
 };
-use homebody_analysis::alerts::{Rules, USUAL, alerts};
+use homebody_analysis::episodes::{Episode, WatchOptions, watch};
 use homebody_analysis::falls::rules::FallRules;
 use homebody_analysis::measures::SensorRooms;
 use homebody_analysis::signs::{Kind, kinds};
@@ -34,7 +34,7 @@ pub fn find_in_log(query: &Query, read: &LoadedLog) -> Result<SearchResult<WallT
         SearchSubject::Fall => falls(read, rooms.as_deref(), ""),
         SearchSubject::SeenFall => Some(seen_falls(read, rooms.as_deref())?),
         SearchSubject::Lost => lost(read)?,
-        SearchSubject::Alert => Some(of_alerts(read)?),
+        SearchSubject::Alert => Some(of_episodes(read)?),
         SearchSubject::On | SearchSubject::Still => None,
     };
     let home = rooms.as_deref().map(at_home);
@@ -121,18 +121,17 @@ fn seen_falls<'a>(
     Ok(all)
 }
 
-/// Alerts by the usual rules; they are of whole days.
-fn of_alerts(read: &LoadedLog) -> Result<Vec<KnownStay<'static, WallTime>>, QueryError> {
-    let unread = |why: String| QueryError::Search(SearchError::Unread(why));
-    let measures = read.measures().map_err(|why| unread(why.to_string()))?;
-    let rules = Rules::read(USUAL).map_err(|problems| unread(problems.to_string()))?;
-    let stay = |alert: homebody_analysis::alerts::Alert| KnownStay {
-        time: Interval::starting(WallTime::midnight(alert.date), DAY),
+/// Episodes, on the days on which they were found.
+fn of_episodes(read: &LoadedLog) -> Result<Vec<KnownStay<'static, WallTime>>, QueryError> {
+    let measures =
+        read.measures().map_err(|why| QueryError::Search(SearchError::Unread(why.to_string())))?;
+    let stay = |episode: Episode| KnownStay {
+        time: Interval::starting(WallTime::midnight(episode.found), DAY),
         who: None,
-        name: Cow::Owned(alert.rule),
-        words: Cow::Owned(alert.words),
+        name: Cow::Borrowed("episode"),
+        words: Cow::Owned(episode.words),
     };
-    Ok(alerts(&measures, &rules).alerts.into_iter().map(stay).collect())
+    Ok(watch(&measures, WatchOptions::default()).episodes.into_iter().map(stay).collect())
 }
 
 #[cfg(test)]

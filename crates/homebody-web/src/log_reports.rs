@@ -6,9 +6,9 @@ use crate::messages::PageMessage;
 use crate::playback::{FileStates, file_states};
 use crate::request_error::{RequestError, no_run, unprocessable, without};
 use crate::wire::{CareView, KeptLogView, PlaybackContent};
-use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::care::care;
 use homebody_analysis::density::density;
+use homebody_analysis::episodes::WatchOptions;
 use homebody_analysis::look::{HomeSensor, Looker, looked};
 use homebody_analysis::realism::{ComparedLog, NotComparable, realism};
 use homebody_core::problem::{Diagnose, Diagnostic, readable};
@@ -91,10 +91,9 @@ impl LogReports {
         }
         scenario.iter().for_each(|scenario| _ = read.place_in(scenario));
         let measures = read.measures().map_err(unprocessable)?;
-        let rules = Rules::read(USUAL).map_err(unprocessable)?;
         let subject = read.subject();
         let person = if read.residents().len() > 1 { "the residents" } else { &subject };
-        let care = CareView::new(care(&measures, &rules, &subject), (run, person), self.playback_content(run));
+        let care = CareView::new(care(&measures, options, &subject), (run, person), self.playback_content(run));
         cached.retain(|known| known.care.name != run);
         cached.truncate(MOST_CACHED - 1);
         cached.insert(0, CachedCare { files, care: care.clone() });

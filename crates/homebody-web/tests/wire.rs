@@ -1,9 +1,10 @@
 //! The types of the page agree with the server's, and its kinds of sensors and activities with the core's.
 
 use crate::generated::is_generated;
-use homebody_analysis::care::{CareDay, ChartPoint, DayKnowledge, MeasureChart, MeasureWords};
+use homebody_analysis::care::{BesideUsual, CareDay, ChartPoint, DayKnowledge, MeasureChart, MeasureWords};
 use homebody_analysis::coverage::SensorCoverage;
-use homebody_analysis::measures::{MEASURES, ValueForm};
+use homebody_analysis::episodes::{Course, DaysAway, Episode, Headline, HeadlineState, ReferenceDays, SeenWith, Sign};
+use homebody_analysis::measures::{MEASURES, MeasureGroup, ValueForm};
 use homebody_analysis::parts::SensorDifference;
 use homebody_core::activity::{ACTIVITIES, AWAY, ActivityKind, KIND_WORDS};
 use homebody_core::sensors::form::{Colour, KindRow, Mount};
@@ -70,11 +71,21 @@ fn declarations() -> Vec<String> {
         DayKnowledge,
         MeasureWords,
         CareSentenceView,
-        AlertView,
+        BesideUsual,
+        MeasureGroup,
+        Headline,
+        HeadlineState,
+        ReferenceDays,
+        DaysAway,
+        Episode,
+        Course,
+        Sign,
+        SeenWith,
         MeasureChart,
         ValueForm,
         ChartPoint,
         NoteView,
+        NoteSubject,
         NoteChange,
         KeptLogView,
         LocatedView,

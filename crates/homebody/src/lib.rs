@@ -20,7 +20,6 @@ pub mod messages {
 
 /// Parts of commands for the program `homebody-lab`.
 pub mod shared {
-    pub use crate::commands::alerts::rules as alert_rules;
     pub use crate::commands::explain::explain;
     pub use crate::commands::log_input::{LogOptions, read_log};
     pub use crate::commands::measures::within;

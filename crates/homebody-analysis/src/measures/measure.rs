@@ -36,9 +36,15 @@ pub struct DailyMeasure {
     pub needs: Needs,
     #[serde(skip)]
     pub noted: Option<NoteMeaning>,
-    /// The place in a report for carers, if the report has the measure.
+    /// The heading under which reports for carers have the measure.
     #[serde(skip)]
-    pub care: Option<CareUse>,
+    pub group: MeasureGroup,
+    /// The coarser measure of the same thing. A report for carers has the coarser one if the finer has no value at all.
+    #[serde(skip)]
+    pub instead_of: Option<&'static str>,
+    /// The least standard deviation of usual values (our choice): smaller differences do not count.
+    #[serde(skip)]
+    pub least_sd: f64,
     /// The place in summaries, if these have the measure.
     #[serde(skip)]
     pub summary: Option<SummaryUse>,
@@ -67,7 +73,9 @@ pub(super) const DAY: DailyMeasure = DailyMeasure {
     did_not: "",
     needs: Needs::AllSensors,
     noted: None,
-    care: None,
+    group: MeasureGroup::Moving,
+    instead_of: None,
+    least_sd: 1.0,
     summary: None,
     goal: None,
     is_observed: false,
@@ -96,11 +104,17 @@ pub enum NoteMeaning {
     Comes,
 }
 
-#[derive(Clone, Copy, Debug)]
-pub struct CareUse {
-    pub least_sd: f64,
-    /// The coarser measure of the same thing. The report has the coarser one if the finer has no value at all.
-    pub instead_of: Option<&'static str>,
+/// A group of measures, in the order of reports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
+pub enum MeasureGroup {
+    Night,
+    Bathroom,
+    Meals,
+    Out,
+    Moving,
+    Rhythm,
 }
 
 /// A measure in summaries. The figures are our choice.
@@ -111,8 +125,6 @@ pub struct SummaryUse {
     pub subject: &'static str,
     /// The range of the values; `None` if only changes have sentences.
     pub range: Option<(f64, f64)>,
-    /// The least standard deviation of earlier values.
-    pub least_sd: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,8 +149,6 @@ pub enum ValueForm {
     OfUsual,
     MetresASecond,
     /// Any other amount: sentences give the difference in per cent.
-    #[serde(rename = "times")]
-    #[cfg_attr(feature = "wire", ts(skip))]
     Amount,
 }
 

@@ -46,8 +46,35 @@ impl DailyMeasure {
         }
     }
 
-    /// A day in words, compared with the usual value, if that is known: its mean, and whether the day is more.
-    pub(crate) fn day_words(&self, value: f64, usual: Option<(f64, Option<bool>)>) -> String {
+    /// A day in words, compared with the usual value, if that is known, and whether the day is more. `None` where only a usual value
+    /// would give the value a meaning.
+    pub(crate) fn day_words(&self, value: f64, usual: Option<(f64, Option<bool>)>) -> Option<String> {
+        if self.did.is_empty() && !matches!(self.unit.form, ValueForm::OfUsual | ValueForm::MetresASecond) {
+            return self.words_with_title(value, usual);
+        }
+        Some(self.words_with_subject(value, usual))
+    }
+
+    fn words_with_title(&self, value: f64, usual: Option<(f64, Option<bool>)>) -> Option<String> {
+        let title = self.title;
+        let beside = match (usual, usual.and_then(|(mean, is_more)| Some((mean, is_more?)))) {
+            (None, _) => return self.said(value).map(|said| format!("{title}: {said}")),
+            (Some(_), None) => "as usual".to_owned(),
+            (Some(_), Some((mean, is_more))) => match self.short(mean) {
+                Some(mean) => format!("{} than usual ({mean})", self.comparative(is_more)),
+                None if mean > 0.0 => {
+                    format!("{:.0} % {} than usual", (value / mean - 1.0).abs() * 100.0, self.comparative(is_more))
+                }
+                None => format!("{} than usual", self.comparative(is_more)),
+            },
+        };
+        Some(match self.said(value) {
+            Some(said) => format!("{title}: {said}, {beside}"),
+            None => format!("{title}: {beside}"),
+        })
+    }
+
+    fn words_with_subject(&self, value: f64, usual: Option<(f64, Option<bool>)>) -> String {
         let is_walk = matches!(self.unit.form, ValueForm::OfUsual | ValueForm::MetresASecond);
         match usual {
             Some((_, None)) if is_walk => "Walked at the usual pace".to_owned(),
@@ -131,7 +158,7 @@ mod tests {
 
     #[test]
     fn days_are_worded_by_their_unit() {
-        let day = |name: &str, value, usual| DailyMeasure::named(name).unwrap().day_words(value, usual);
+        let day = |name: &str, value, usual| DailyMeasure::named(name).unwrap().day_words(value, usual).unwrap_or_default();
         assert_eq!(day("time_out", 0.0, None), "Did not go out");
         assert_eq!(
             day("meals", 1.0, Some((2.8, Some(false)))),

@@ -106,7 +106,7 @@ pub(super) fn change((_, summary): Topic, values: &[(Date, f64)], past: &[(Date,
     let count = past.len() as f64;
     let mean = past.iter().map(|(_, value)| value).sum::<f64>() / count;
     let square = past.iter().map(|(_, value)| (value - mean) * (value - mean)).sum::<f64>() / count;
-    let sd = square.sqrt().max(summary.least_sd);
+    let sd = square.sqrt().max(measure.least_sd);
     let now = values.iter().map(|(_, value)| value).sum::<f64>() / values.len() as f64;
     let set = Set::Beyond { mean, sd, is_more: now > mean };
     let told = STRICT[..OF_CHANGES].iter().find_map(|&(quantifier, strict)| {

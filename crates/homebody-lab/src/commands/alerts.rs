@@ -1,8 +1,10 @@
-use super::locate::every_fault;
+use super::evaluation::evaluate_each;
+use crate::alerting::people::WatchedPerson;
 use crate::alerting::{AlertCurve, AlertQuality, AlertsRow, MethodQuality, later, quality};
+use crate::simulated::every_fault;
 use homebody::shared::{Failure, ResultOutput, TextTable, alert_rules, show};
 use homebody_analysis::alerts::Rules;
-use homebody_analysis::measures::Measures;
+use homebody_analysis::measures::{DayMeasures, Measures};
 use homebody_core::link::form::LinkFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::sensors::Sensor;
@@ -44,8 +46,20 @@ pub struct AlertsLabArguments {
     /// JSON file with alert rules, instead of the default rules
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
+    /// Write the measures of each person to a file, a JSON object a line
+    #[arg(long, value_name = "FILE")]
+    values: Option<PathBuf>,
     #[command(flatten)]
     output: ResultOutput,
+}
+
+/// A person with the measures of each day.
+#[derive(Serialize)]
+struct PersonValues {
+    #[serde(flatten)]
+    person: WatchedPerson,
+    guesses: Vec<&'static str>,
+    days: Vec<(bool, DayMeasures)>,
 }
 
 const SCENARIO: &str = "older-adult";
@@ -56,6 +70,19 @@ type OfLayouts = Vec<Measures>;
 impl AlertsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
         let output = self.output.check([""], &[])?;
+        if let Some(file) = &self.values {
+            let people: Vec<WatchedPerson> =
+                (0..self.people).map(|number| WatchedPerson::draw(number, (self.days, self.seed))).collect();
+            evaluate_each(&people, "scenarios", |person| person.scenario().map(drop))?;
+            let lines = evaluate_each(&people, "people", |person| {
+                let Measures { guesses, days, .. } = person.measures()?;
+                let days = days.into_iter().map(|day| (day.counts(), day)).collect();
+                let values = PersonValues { person: person.clone(), guesses, days };
+                Ok::<_, Failure>(serde_json::to_string(&values).unwrap_or_default() + "\n")
+            })?;
+            std::fs::write(file, lines.concat()).unwrap();
+            return Ok(());
+        }
         let rules = alert_rules(self.rules.as_deref())?;
         let template = template(SCENARIO)?;
         let home = LoadedScenario { scenario: template.scenario().clone(), household: template.household().clone() };

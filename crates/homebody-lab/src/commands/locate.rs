@@ -1,5 +1,6 @@
 use super::evaluation::evaluate_each;
 use crate::locating::{LocatingCase, SimulatedHome, case};
+use crate::simulated::every_fault;
 use homebody::shared::{Failure, JsonOutput, TextTable};
 use homebody_core::link::form::LinkFile;
 use homebody_core::scenario::load::Scenario;
@@ -96,26 +97,6 @@ pub(super) fn with_link<T, E: fmt::Display>(
     let people = residents.filter(|&resident| is_person(household, resident)).collect();
     let scenario = opened.scenario().edit().link(link).load()?;
     ask(&SimulatedHome { scenario: &scenario, drivers: household, people }).map_err(Failure::not_measured)
-}
-
-/// The link of a real network with every fault in some days, each in another motion sensor.
-pub(super) fn every_fault(scenario: &Scenario, home: usize, (from_day, days): (f64, f64)) -> LinkFile {
-    let sensors = scenario.home.placed_sensors();
-    let motion: Vec<&str> =
-        sensors.iter().filter(|sensor| sensor.senses_motion()).map(|sensor| sensor.name.as_str()).collect();
-    let nth = |number: usize| motion[(home * 3 + number * 2) % motion.len()];
-    let within = |share: f64| share * days;
-    let day = |share: f64| from_day + within(share);
-    let faults = serde_json::json!([
-        { "kind": "battery", "sensor": nth(0), "from_day": day(0.3), "fading_days": within(0.2), "days": within(0.4) },
-        { "kind": "falls_off", "sensor": nth(1), "from_day": day(0.6), "days": within(0.3) },
-        { "kind": "stuck", "sensor": nth(2), "from_day": day(0.5), "days": within(0.1), "every_s": 60 },
-        { "kind": "drift", "sensor": nth(3), "ppm": 20 },
-        { "kind": "false_fires", "sensor": nth(4), "per_h": 2, "between": ["10:00", "15:00"] },
-        { "kind": "outage", "from_day": day(0.4), "at": "13:00", "hours": 3 }
-    ]);
-    let link = serde_json::json!({ "preset": "zigbee", "duplicates": 0.01, "corruption": 0.001, "faults": faults });
-    serde_json::from_value(link).unwrap_or_default()
 }
 
 impl fmt::Display for LocatingExperiment {

@@ -8,7 +8,6 @@ use crate::request_error::{code_of, sentence};
 use crate::wire::{
     Draft, LayoutView, Layouts, LayoutsView, PartView, PartsView, ProblemView, StepView, Suggest, SuggestionView,
 };
-use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::coverage;
 use homebody_analysis::parts::{PartsList, SensorLayout, SensorPart, beside};
 use homebody_core::home::resolved::ResolvedHome;
@@ -105,13 +104,12 @@ impl DraftService {
             }
             None => None,
         };
-        let rules = Rules::read(USUAL).map_err(|wrong| SuggestionError::Refused(wrong.diagnostic()))?;
         let files = self.with(draft);
         let home = home(&files, &self.folders.entry).map_err(|wrong| SuggestionError::Problems(problems(&wrong)))?;
         let sensors = usize::from(sensors.clamp(1, MOST_SENSORS));
         let people = people.clamp(FEWEST_PEOPLE, MOST_PEOPLE);
         let (build, step_m) = (build(&files, &self.folders.entry), step_m(home.plan()));
-        let request = Request { goals: &goals, sensors, people, seed: SEED, rules: &rules, device, build, step_m };
+        let request = Request { goals: &goals, sensors, people, seed: SEED, device, build, step_m };
         let load = || {
             let (scenario, household) = Household::load(&files, &self.folders.entry, &[])?;
             Ok(LoadedScenario { scenario, household })

@@ -4,7 +4,8 @@ use super::{OpenRun, Playback, RequestError};
 use crate::dates::NumberedEpisode;
 use crate::messages::PageMessage;
 use crate::request_error::{not_found, unprocessable};
-use crate::wire::{AlertView, DateView, Find, FoundView, HitView, PlaybackView};
+use crate::wire::{DateView, Find, FoundView, HitView, PlaybackView};
+use homebody_analysis::episodes::Episode as ChangeEpisode;
 use homebody_core::activity::FALLEN;
 use homebody_core::time::{Interval, RunTime, SECOND};
 use homebody_log::source::TruthValue;
@@ -23,24 +24,24 @@ use std::collections::HashMap;
 const MOST_HITS: usize = 5000;
 
 impl Playback {
-    /// Searches a run until it is cancelled. `alerts` computes its alerts, which takes longer, and only if the search is for alerts.
+    /// Searches a run until it is cancelled. `episodes` computes its episodes, which takes longer, and only if the search is for them.
     pub fn find(
         &self,
         name: &str,
         asked: &Find,
         cancel: &Cancel,
-        alerts: impl FnOnce() -> Result<Vec<AlertView>, RequestError>,
+        episodes: impl FnOnce() -> Result<Vec<ChangeEpisode>, RequestError>,
     ) -> Result<FoundView, RequestError> {
         let run = self.open(name)?;
         let query = query(asked)?;
-        let alerts = if query.what == SearchSubject::Alert { alerts()? } else { Vec::new() };
+        let episodes = if query.what == SearchSubject::Alert { episodes()? } else { Vec::new() };
         let known = match query.what {
             SearchSubject::Room => run.stays()?,
             SearchSubject::Doing => run.activities(|_| true)?,
             SearchSubject::Fall => run.falls("")?,
             SearchSubject::SeenFall => Some(run.all_falls(cancel)?),
             SearchSubject::Lost => run.lost()?,
-            SearchSubject::Alert => Some(run.alerts(&alerts)),
+            SearchSubject::Alert => Some(run.episodes(&episodes)),
             SearchSubject::On | SearchSubject::Still => None,
         };
         let home = match query.what {
@@ -186,13 +187,14 @@ impl OpenRun {
         Ok(Some(self.lost.get_or_init(|| sorted(all)).clone()))
     }
 
-    fn alerts<'a>(&self, alerts: &'a [AlertView]) -> Vec<KnownStay<'a, RunTime>> {
-        let stay = |alert: &'a AlertView| {
-            let day = self.view.days.iter().find(|day| day.date == alert.day)?;
-            let (name, words) = (Cow::Borrowed(alert.rule.as_str()), Cow::Borrowed(alert.words.as_str()));
-            Some(KnownStay { time: day.interval(), who: None, name, words })
+    fn episodes<'a>(&self, episodes: &'a [ChangeEpisode]) -> Vec<KnownStay<'a, RunTime>> {
+        let stay = |episode: &'a ChangeEpisode| {
+            let found = episode.found.to_string();
+            let day = self.view.days.iter().find(|day| day.date == found)?;
+            let words = Cow::Borrowed(episode.words.as_str());
+            Some(KnownStay { time: day.interval(), who: None, name: Cow::Borrowed("episode"), words })
         };
-        sorted(alerts.iter().filter_map(stay).collect())
+        sorted(episodes.iter().filter_map(stay).collect())
     }
 }
 

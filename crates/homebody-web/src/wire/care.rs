@@ -1,9 +1,8 @@
 //! The state of a resident, for carers.
 
-use homebody_analysis::alerts::Alert;
 use homebody_analysis::care::{Care, CareDay, MeasureChart};
+use homebody_analysis::episodes::{DaysAway, Episode, Headline, ReferenceDays, WatchedDays};
 use homebody_analysis::summaries::SummarySentence;
-use homebody_core::names::capitalised;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
@@ -13,19 +12,24 @@ pub struct CareView {
     /// The name of the run.
     pub name: String,
     pub person: String,
-    /// The reported day, as `2009-03-02`.
+    /// The last day that counts, as `2009-03-02`.
     pub day: Option<String>,
-    /// True with enough days before the last two weeks for a comparison.
-    pub is_compared: bool,
+    pub headline: Headline,
+    /// The days with which others are compared; null before the first day that counts.
+    pub reference: Option<ReferenceDays>,
     pub remarks: Vec<String>,
+    /// Sensors that are silent, in sentences.
+    pub silent: Vec<String>,
     /// The content of its playback.
     pub walks: PlaybackContent,
     /// In order.
     pub days: Vec<CareDay>,
-    /// About the last two weeks, changes first.
+    /// Days on which nobody was at home for most of the day.
+    pub absences: Vec<DaysAway>,
+    /// About the last two weeks.
     pub sentences: Vec<CareSentenceView>,
     /// The latest first.
-    pub alerts: Vec<AlertView>,
+    pub episodes: Vec<Episode>,
     pub charts: Vec<MeasureChart>,
 }
 
@@ -49,33 +53,35 @@ pub struct CareSentenceView {
     /// The number of days, and the result.
     pub numbers: String,
     pub measure: String,
-    pub is_change: bool,
     pub days: Vec<String>,
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct AlertView {
-    pub day: String,
-    pub rule: String,
-    pub words: String,
-    /// The value, and the usual value.
-    pub numbers: String,
-    pub measures: Vec<String>,
-    /// The days with the evidence.
-    pub days: Vec<String>,
-}
-
-/// A note about an alert or a day.
+/// A note about an episode or a day.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct NoteView {
-    /// As `2009-03-02`.
+    /// As `2009-03-02`: the day, or that on which the episode was found.
     pub day: String,
-    /// The rule of the alert; empty for a note about the day.
-    pub rule: String,
+    pub about: NoteSubject,
     /// True once a person has dealt with it.
     pub seen: bool,
     pub note: String,
+    /// The name of the person who has written it; empty if none is given.
+    #[serde(default)]
+    pub who: String,
+    /// The time at which it was stored, as `2009-03-02T14:05`, by the clock of the server; empty in a new note.
+    #[serde(default)]
+    pub at: String,
+}
+
+/// The subject of a note.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum NoteSubject {
+    Day,
+    Episode,
+    /// A new reference begins on the day.
+    Reference,
 }
 
 /// A new or changed note.
@@ -101,16 +107,21 @@ impl CareView {
     pub fn new(care: Care, (name, person): (&str, &str), walks: PlaybackContent) -> CareView {
         // Hints at options of the command do not apply to the page.
         let remark = |remark: &String| remark.split("; pass --").next().unwrap_or(remark).to_owned();
+        let WatchedDays { headline, reference, mut episodes, absences, silent, .. } = care.watched;
+        episodes.reverse();
         CareView {
             name: name.to_owned(),
             person: person.to_owned(),
             day: care.day.map(|day| day.to_string()),
-            is_compared: care.is_compared,
+            headline,
+            reference,
             remarks: care.remarks.iter().map(remark).collect(),
+            silent,
             walks,
             days: care.days,
+            absences,
             sentences: care.sentences.iter().map(CareSentenceView::from).collect(),
-            alerts: care.alerts.iter().map(AlertView::from).collect(),
+            episodes,
             charts: care.charts,
         }
     }
@@ -122,22 +133,7 @@ impl From<&SummarySentence> for CareSentenceView {
             words: sentence.plain.clone(),
             numbers: sentence.numbers.clone(),
             measure: sentence.measure.to_owned(),
-            is_change: sentence.is_more.is_some(),
             days: sentence.shown_by.iter().map(ToString::to_string).collect(),
-        }
-    }
-}
-
-impl From<&Alert> for AlertView {
-    fn from(alert: &Alert) -> AlertView {
-        let stop = if alert.numbers.is_empty() { "" } else { "." };
-        AlertView {
-            day: alert.date.to_string(),
-            rule: alert.rule.clone(),
-            words: alert.headline.clone(),
-            numbers: capitalised(&alert.numbers) + stop,
-            measures: alert.measures.iter().map(|&measure| measure.to_owned()).collect(),
-            days: alert.shown_by.iter().map(ToString::to_string).collect(),
         }
     }
 }

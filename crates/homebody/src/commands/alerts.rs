@@ -5,9 +5,15 @@ use super::result_output::JsonOutput;
 use super::row_destinations::{RowDestinations, row};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json_text, print_text};
-use homebody_analysis::alerts::{Alert, Rules, USUAL, alerts};
+use homebody_analysis::alerts::{LogAlerts, Rules, alerts};
+use homebody_analysis::episodes::{WatchOptions, WatchedDays, watch};
+use homebody_analysis::measures::Measures;
 use homebody_log::LogError;
 use homebody_log::records::Records;
+use jiff::civil::Date;
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::fmt;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -26,15 +32,19 @@ homebody_core::messages! {
     }
 }
 
-/// Report changes from the resident's own baseline, day by day
+/// Report changes of a resident's days: what moved together, since when, and whether it lasts
 ///
-/// Homebody compares each measure of a day with the resident's last two weeks. Days away and incomplete days do not count, nor do
-/// measures that need a silent sensor; a silent sensor has its own alert. --rules replaces the default rules by those of a JSON
-/// file; docs/reference/measures.md lists the default rules.
+/// Homebody compares each day with a reference: the first four weeks that count, or four weeks from a day that --reference names.
+/// Measures that change together are the signs of one episode. It has a beginning, and an end once the days are as usual again.
+/// Days away and incomplete days do not count, nor do measures that need a silent sensor. Conditions that make such signs in
+/// simulated lives are named with their likelihood ratios. This is for research. It is not a medical device and no diagnosis.
+///
+/// --rules adds the alerts of rules of your own.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody alerts runs/tigerplace-depression-1
   homebody alerts casas:tm000.txt --home my-home --json
+  homebody alerts runs/tigerplace-1 --reference 2009-04-20
   homebody alerts runs/tigerplace-1 --rules rules.json
   homebody alerts runs/tigerplace-1 --out care.db
   homebody alerts casas:home.txt --follow --out jsonl:-
@@ -43,10 +53,13 @@ homebody_core::messages! {
 pub struct AlertsArguments {
     #[command(flatten)]
     measured: MeasuresSource,
-    /// JSON file with alert rules, instead of the default rules
+    /// First day of a new reference, such as the return from a hospital; repeatable
+    #[arg(long, value_name = "DATE")]
+    reference: Vec<Date>,
+    /// JSON file with alert rules of your own
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
-    /// Follow the log as it grows, and print each new alert until you stop the program
+    /// Follow the log as it grows, and print each change as it is found until you stop the program
     #[arg(long)]
     follow: bool,
     /// Seconds between two reads of the log with --follow
@@ -59,27 +72,42 @@ pub struct AlertsArguments {
     output: JsonOutput,
 }
 
+/// The episodes of a log, with the alerts of the user's own rules.
+#[derive(Serialize)]
+struct AlertsAnswer {
+    #[serde(flatten)]
+    watched: WatchedDays,
+    /// With `--rules` only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rules: Option<LogAlerts>,
+}
+
 impl AlertsArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let rules = rules(self.rules.as_deref())?;
+        let rules = self.rules.as_deref().map(rules).transpose()?;
         if self.follow {
-            return self.follow(&rules);
+            return self.follow(rules.as_ref());
         }
         let read = self.measured.read()?;
         let output = self.output.check(&read.sources)?.silent_if(self.programs.is_printed());
         self.programs.check(false, &read.sources, self.output.replaces())?;
-        let measures = self.measured.measures(&read)?;
-        let alerts = alerts(&measures, &rules);
-        self.programs.store(&records(&alerts.name, &alerts.alerts), &Default::default, self.output.replaces())?;
-        output.write(&alerts, [])
+        let answer = self.answer(&self.measured.measures(&read)?, rules.as_ref());
+        let records = Records { kind: "alert", columns: COLUMNS, rows: answer.rows() };
+        self.programs.store(&records, &Default::default, self.output.replaces())?;
+        output.write(&answer, [])
     }
 
-    /// Prints all alerts, and then each new one: one line each, as JSON if rows go to standard output.
-    fn follow(&self, rules: &Rules) -> Result<(), Failure> {
+    fn answer(&self, measures: &Measures, rules: Option<&Rules>) -> AlertsAnswer {
+        let options = WatchOptions { marked: &self.reference, threshold: None };
+        AlertsAnswer { watched: watch(measures, options), rules: rules.map(|rules| alerts(measures, rules)) }
+    }
+
+    /// Prints all changes, and then each new one: one line each, as JSON if rows go to standard output.
+    fn follow(&self, rules: Option<&Rules>) -> Result<(), Failure> {
         if !self.output.is_empty() || !self.programs.is_empty_or_printed() {
             return Err(Failure::asked(AlertsMessage::FilesWithFollow));
         }
-        let mut printed: Vec<Alert> = Vec::new();
+        let mut printed: Vec<Map<String, Value>> = Vec::new();
         loop {
             // A log without a complete day, or one that is being written, is read again.
             let found = self.measured.read().and_then(|read| self.measured.measures(&read));
@@ -87,18 +115,16 @@ impl AlertsArguments {
                 Err(failure) if printed.is_empty() && !self.measured.is_there() => return Err(failure),
                 Err(_) => {}
                 Ok(measures) => {
-                    let all = alerts(&measures, rules);
-                    let is_printed = |new: &Alert| {
-                        printed.iter().any(|printed| (printed.date, &printed.rule) == (new.date, &new.rule))
-                    };
-                    let new: Vec<Alert> = all.alerts.into_iter().filter(|alert| !is_printed(alert)).collect();
+                    let mut rows = self.answer(&measures, rules).rows();
+                    rows.retain(|row| !printed.contains(row));
                     match self.programs.is_printed() {
-                        true => print_json_text(&records(&all.name, &new).lines())?,
-                        false => {
-                            new.iter().try_for_each(|alert| print_text(&format!("{} {}\n", alert.date, alert.words)))?
+                        true => {
+                            let records = Records { kind: "alert", columns: COLUMNS, rows: rows.clone() };
+                            print_json_text(&records.lines())?;
                         }
+                        false => rows.iter().try_for_each(|row| print_text(&line(row)))?,
                     }
-                    printed.extend(new);
+                    printed.extend(rows);
                 }
             }
             std::thread::sleep(Duration::from_secs(self.poll));
@@ -106,20 +132,42 @@ impl AlertsArguments {
     }
 }
 
-fn records(log: &str, alerts: &[Alert]) -> Records {
-    let of = |alert: &Alert| {
-        let mut row = row(alert);
-        row.insert("log".into(), log.into());
-        row
-    };
-    let columns = &["log", "date", "rule", "measures", "is_more", "value", "usual", "sd", "shown_by", "words"];
-    Records { kind: "alert", columns, rows: alerts.iter().map(of).collect() }
+const COLUMNS: &[&str] =
+    &["log", "date", "rule", "since", "measures", "is_more", "value", "usual", "sd", "shown_by", "words"];
+
+impl AlertsAnswer {
+    /// A row for each change that was found, and for each alert of a rule, by date.
+    fn rows(&self) -> Vec<Map<String, Value>> {
+        let news = self.watched.news.iter().map(|news| {
+            let mut row = row(news);
+            let kind = row.remove("kind").unwrap_or_default();
+            row.insert("rule".into(), format!("episode {}", kind.as_str().unwrap_or_default()).into());
+            row
+        });
+        let mut rows: Vec<Map<String, Value>> =
+            news.chain(self.rules.iter().flat_map(|rules| rules.alerts.iter().map(row))).collect();
+        rows.iter_mut().for_each(|row| _ = row.insert("log".into(), self.watched.name.as_str().into()));
+        rows.sort_by_key(|row| row.get("date").and_then(Value::as_str).map(ToOwned::to_owned));
+        rows
+    }
 }
 
-pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
-    let Some(path) = path else {
-        return Ok(Rules::read(USUAL)?);
-    };
+fn line(row: &Map<String, Value>) -> String {
+    let of = |key: &str| row.get(key).and_then(Value::as_str).unwrap_or_default();
+    format!("{} {}\n", of("date"), of("words"))
+}
+
+impl fmt::Display for AlertsAnswer {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}", self.watched)?;
+        match &self.rules {
+            Some(rules) => write!(f, "\nBy your rules\n{rules}"),
+            None => Ok(()),
+        }
+    }
+}
+
+fn rules(path: &Path) -> Result<Rules, Failure> {
     let text = fs::read_to_string(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => Failure::asked(AlertsMessage::NoRules { file: path.to_owned() }),
         _ => LogError::reading(path, error).into(),

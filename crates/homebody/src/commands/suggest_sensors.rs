@@ -1,6 +1,5 @@
 //! `homebody suggest-sensors`: positions for sensors.
 
-use super::alerts::rules;
 use super::devices::device;
 use super::install_sheet::build;
 use super::result_output::ResultOutput;
@@ -77,9 +76,6 @@ pub struct SuggestSensorsArguments {
     /// Device of the motion sensors, by its name in homebody devices, such as fibaro
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// JSON file with alert rules, instead of the default rules
-    #[arg(long, value_name = "FILE")]
-    rules: Option<PathBuf>,
     #[command(flatten)]
     output: ResultOutput,
 }
@@ -89,13 +85,12 @@ impl SuggestSensorsArguments {
         let source = self.scenario.source()?;
         let scenario = source.open()?;
         let output = self.output.check([""], &scenario.paths())?;
-        let rules = rules(self.rules.as_deref())?;
         let goals = goals(&self.goals)?;
         let device = self.device.as_deref().map(device).transpose()?;
         let home = &scenario.scenario().home;
         let (people, sensors, seed) = (self.people, usize::from(self.count), self.seed);
         let build = build(scenario.scenario());
-        let request = Request { goals: &goals, sensors, people, seed, rules: &rules, device, build, step_m: STEP_M };
+        let request = Request { goals: &goals, sensors, people, seed, device, build, step_m: STEP_M };
         let load =
             || Ok(LoadedScenario { scenario: scenario.scenario().clone(), household: scenario.household().clone() });
         let progress = SearchProgress::new(&request);
