@@ -69,6 +69,11 @@ export class Server {
     private readonly api = '/api',
   ) {}
 
+  /** The same server, with the requests of its library. */
+  ofLibrary(): Server {
+    return new Server(this.token, this.onWrongToken, this.fetch);
+  }
+
   async json<T>(path: string): Promise<T> {
     return (await (await this.ask('GET', path)).json()) as T;
   }

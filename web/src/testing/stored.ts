@@ -79,6 +79,11 @@ export function walkedDay(run: PlaybackView, number: number): DayView {
   return { ...day, lives: day.lives.map((life) => ({ ...life, chances })) };
 }
 
+/** A run in the list of runs. */
+export function listedRun(name: string, days = 30): StoredView {
+  return { name, walked_back: null, scenario: name, start: '2009-03-02 00:00:00', days, has_truth: false, problem: null, made_ms: null, seed: null, without: [], about: { title: '', note: '' } };
+}
+
 /** Answers like the server, for runs with these names. */
 export function fakeRuns(names: string[], make: (name: string) => PlaybackView = storedRun, listed: Record<string, Partial<StoredView>> = {}): Fetch {
   const runs = new Map(names.map((name) => [name, make(name)]));

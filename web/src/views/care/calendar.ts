@@ -1,18 +1,23 @@
 // The calendar of a log: its months as grids of days, with the marks of each day.
 
-import type { AlertView, CareView, DayKnowledge, NoteView } from '../../wire';
-import { inFull, monthOf, monthsLater, shifted, weekday } from './dates';
+import type { CareView, DayKnowledge, NoteView } from '../../wire';
+import { inFull, inWords, monthOf, monthsLater, shifted, weekday } from './dates';
+import { episodeOn } from './episodes';
 
 export interface Cell {
   day: string;
   known: DayKnowledge;
-  /** Alerts that are not handled, and handled ones. */
-  open: number;
-  seen: number;
+  /** The first day of the episode that the day is within, which lasts or is over. */
+  since: string | null;
+  isOver: boolean;
+  /** An episode was found on this day. */
+  isFound: boolean;
   /** The number of unusual values. */
   odd: number;
   /** The day has a note. */
   noted: boolean;
+  /** A reference begins on this day. */
+  begins: boolean;
 }
 
 export interface Month {
@@ -21,27 +26,17 @@ export interface Month {
   weeks: { days: (Cell | null)[]; numbers: (number | null)[] }[];
 }
 
-export const keyOf = ({ day, rule }: Pick<AlertView, 'day' | 'rule'>) => `${day} ${rule}`;
-
-/** A key that differs between alerts: those of several sensors on one day share their notes. */
-export const apart = (alert: Pick<AlertView, 'day' | 'rule' | 'words'>) => `${keyOf(alert)} ${alert.words}`;
-
-export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonly NoteView[]): Month[] {
+export function monthsOf(care: Pick<CareView, 'days' | 'episodes'>, notes: readonly NoteView[]): Month[] {
   const [first, last] = [care.days[0]?.day, care.days.at(-1)?.day];
   if (first === undefined || last === undefined) return [];
-  const cells = new Map(care.days.map(({ day, known, told }) => {
-    const odd = told.filter(({ is_more }) => is_more !== null).length;
-    return [day, { day, known, odd, open: 0, seen: 0, noted: false } as Cell];
+  const found = new Set(care.episodes.map((episode) => episode.found));
+  const noted = new Set(notes.filter(({ note }) => note !== '').map(({ day }) => day));
+  const begins = new Set(notes.filter(({ about, seen }) => about === 'reference' && seen).map(({ day }) => day));
+  const cells = new Map(care.days.map(({ day, known, told }): [string, Cell] => {
+    const episode = episodeOn(care, day);
+    const odd = told.filter(({ beside }) => beside === 'more' || beside === 'less').length;
+    return [day, { day, known, odd, since: episode?.since ?? null, isOver: (episode?.over ?? null) !== null, isFound: found.has(day), noted: noted.has(day), begins: begins.has(day) }];
   }));
-  const seen = new Set(notes.filter((note) => note.seen).map(keyOf));
-  for (const alert of care.alerts) {
-    const cell = cells.get(alert.day);
-    if (cell) cell[seen.has(keyOf(alert)) ? 'seen' : 'open'] += 1;
-  }
-  for (const { day, note } of notes) {
-    const cell = cells.get(day);
-    if (cell && note !== '') cell.noted = true;
-  }
   const months: Month[] = [];
   for (let begin = `${first.slice(0, 7)}-01`; begin <= last; begin = monthsLater(begin, 1)) {
     const weeks: Month['weeks'] = [];
@@ -58,22 +53,16 @@ export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonl
   return months;
 }
 
-/** A usual value is known, on a day or at all, for any measure or for one with a chart: without it nothing can be unusual. */
-export function hasUsual(care: Pick<CareView, 'charts'>, day: string | null = null, measure: string | null = null): boolean {
-  const own = care.charts.filter((chart) => chart.measure === measure);
-  return (own.length > 0 ? own : care.charts).some((chart) => chart.days.some((point) => point.usual !== null && (day === null || point.day === day)));
-}
-
 export function described(cell: Cell): string {
   const parts = [inFull(cell.day)];
   if (cell.known === 'nobody_home') parts.push('away for most of the day');
   if (cell.known === 'partly') parts.push('incomplete data');
-  const alerts = (count: number) => `${count} ${count === 1 ? 'alert' : 'alerts'}`;
-  if (cell.open > 0) parts.push(`${alerts(cell.open)} open`);
-  if (cell.seen > 0) parts.push(`${alerts(cell.seen)} acknowledged`);
   if (cell.odd > 0) parts.push(`${cell.odd} unusual ${cell.odd === 1 ? 'measure' : 'measures'}`);
-  if (cell.noted) parts.push('with a note');
+  if (cell.since !== null) parts.push(`within the change since ${inWords(cell.since)}${cell.isOver ? ', which is over' : ''}`);
+  if (cell.isFound) parts.push('a change was found');
+  if (cell.begins) parts.push('a comparison begins');
   if (parts.length === 1) parts.push('nothing unusual');
+  if (cell.noted) parts.push('with a note');
   return parts.join(', ');
 }
 

@@ -1,18 +1,25 @@
-// A small chart: the positions of its days, its usual range and its lines. Lengths are pixels.
+// A chart of a measure: the positions of its days, its usual range, spans of days and its axes. Lengths are pixels.
 
 import type { ChartPoint, MeasureChart, ValueForm } from '../../wire';
 import { dayAndMonth, inFull } from './dates';
 
 /** Default width, before it is measured. */
 export const WIDTH = 560;
-export const HEIGHT = 120;
+export const HEIGHT = 128;
 export const LEFT = 58;
-const BOTTOM = 20;
-const TOP = 8;
-/** Distance between readable dates. */
+export const BOTTOM = 22;
+export const TOP = 10;
+/** Distance between readable dates, and from the last day to the edge. */
 const DATE_APART = 52;
-/** The ends of a chart are multiples of these, in its unit. */
-const STEPS: Record<ValueForm, number> = { hours: 0.5, clock: 0.5, times: 1, of_usual: 0.1, metres_a_second: 0.1 };
+const RIGHT = 12;
+/** Distances of labelled values in their unit, the smallest first; larger ones, and those of amounts, are 1, 2 or 5 with zeros. */
+const STEPS: Record<ValueForm, readonly number[]> = { hours: [0.5, 1, 2, 4, 8], clock: [0.5, 1, 2, 4, 8], times: [1], of_usual: [0.1, 0.2, 0.5], metres_a_second: [0.1, 0.2, 0.5], amount: [0.01] };
+/** Largest number of steps of an axis (our choice). */
+const MOST_STEPS = 4;
+
+const UNITS: Record<ValueForm, string> = { hours: 'hours', clock: 'time of day', times: 'times a day', of_usual: 'of the usual pace', metres_a_second: 'metres a second', amount: '' };
+/** Units of amounts, by measure. */
+const AMOUNTS: Record<string, string> = { restlessness: 'bouts an hour', density_night: 'events an hour', density_morning: 'events an hour', density_afternoon: 'events an hour', density_evening: 'events an hour' };
 
 export interface Drawn {
   /** The usual range, as paths: one for each series of days with a usual value. */
@@ -23,8 +30,16 @@ export interface Drawn {
   dates: { x: number; text: string }[];
   /** The position of a day. */
   x: (day: string) => number | null;
-  /** The lowest and the highest value, with their positions. */
+  /** The left edge and the width of a span of days, as far as the chart has them. */
+  span: (from: string, to: string) => { x: number; width: number } | null;
+  /** The known day that is nearest to a position. */
+  near: (x: number) => ChartPoint | null;
+  /** The labelled values, with their positions. */
   values: { y: number; text: string }[];
+}
+
+export function unitOf({ unit, measure }: Pick<MeasureChart, 'unit' | 'measure'>): string {
+  return unit === 'amount' ? (AMOUNTS[measure] ?? '') : UNITS[unit];
 }
 
 /** A value in words. */
@@ -43,6 +58,8 @@ export function said(unit: ValueForm, value: number): string {
       return `${value.toFixed(2)} m/s`;
     case 'times':
       return Number.isInteger(value) ? String(value) : value.toFixed(1);
+    case 'amount':
+      return value.toFixed(value >= 20 ? 0 : value >= 2 ? 1 : 2);
   }
 }
 
@@ -52,39 +69,71 @@ function floored(value: number, step: number): number {
   return Math.floor(value / step + 1e-6) * step;
 }
 
+/** The labelled values of an axis, the highest first: multiples of a round step, around all values. */
+function labelled(unit: ValueForm, values: readonly number[]): number[] {
+  if (values.length === 0) return [1, 0];
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  const decades = [0.01, 0.1, 1, 10, 100, 1000, 10_000].flatMap((ten) => [1, 2, 5].map((times) => times * ten));
+  const steps = [...STEPS[unit], ...decades.filter((step) => step > STEPS[unit].at(-1)!)];
+  const step = steps.find((step) => (most - least) / step <= MOST_STEPS - 1) ?? most - least;
+  const [low, high] = [floored(least, step), -floored(-most, step)];
+  return Array.from({ length: Math.round((high - low) / step) + 1 }, (_, index) => high - index * step);
+}
+
+/** The usual range of each day. The first days of a reference have the range of the same weekday later. */
+function ranges({ days }: MeasureChart): (readonly [number, number] | null)[] {
+  const all: (readonly [number, number] | null)[] = days.map(({ usual }) => usual);
+  for (let day = all.length - 1; day >= 0; day--) all[day] ??= all[day + 7] ?? null;
+  return all;
+}
+
+/** The usual range as paths: one for each series of days that have one. */
+function bands(all: readonly (readonly [number, number] | null)[], x: (day: number) => number, y: (value: number) => number): string[] {
+  const paths: string[] = [];
+  let from: number | null = null;
+  for (let day = 0; day <= all.length; day++) {
+    const has = day < all.length && all[day] !== null;
+    if (has) from ??= day;
+    if (has || from === null) continue;
+    const days = Array.from({ length: day - from }, (_, index) => from! + index);
+    const edge = (of: 0 | 1, among: number[]) => among.map((one) => `${x(one).toFixed(1)},${y(all[one]![of]).toFixed(1)}`);
+    paths.push(`M${[...edge(1, days), ...edge(0, days.toReversed())].join('L')}Z`);
+    from = null;
+  }
+  return paths;
+}
+
 /** The positions of all parts of a chart. */
 export function drawn(chart: MeasureChart, width = WIDTH): Drawn {
-  const values = chart.days.flatMap(({ value, usual }) => [...(value === null ? [] : [value]), ...(usual ?? [])]);
-  const whole = STEPS[chart.unit];
-  const [low, high] = values.length > 0 ? [floored(Math.min(...values), whole), -floored(-Math.max(...values), whole)] : [0, 1];
-  const span = high - low || 1;
-  const step = (width - LEFT - 12) / Math.max(chart.days.length - 1, 1);
+  const usual = ranges(chart);
+  const labels = labelled(chart.unit, [...chart.days.flatMap(({ value }) => value ?? []), ...usual.flatMap((range) => range ?? [])]);
+  const [high, low] = [labels[0]!, labels.at(-1)!];
+  const step = (width - LEFT - RIGHT) / Math.max(chart.days.length - 1, 1);
   const x = (day: number) => LEFT + day * step;
-  const y = (value: number) => TOP + ((high - value) / span) * (HEIGHT - TOP - BOTTOM);
-  const usual: string[] = [];
-  let from: number | null = null;
-  for (let day = 0; day <= chart.days.length; day++) {
-    const has = day < chart.days.length && chart.days[day]!.usual !== null;
-    if (has && from === null) from = day;
-    if (!has && from !== null) {
-      const days = Array.from({ length: day - from }, (_, index) => from! + index);
-      const edge = (of: 0 | 1, among: number[]) => among.map((one) => `${x(one).toFixed(1)},${y(chart.days[one]!.usual![of]).toFixed(1)}`);
-      usual.push(`M${[...edge(1, days), ...edge(0, [...days].reverse())].join('L')}Z`);
-      from = null;
-    }
-  }
+  const y = (value: number) => TOP + ((high - value) / (high - low || 1)) * (HEIGHT - TOP - BOTTOM);
   const dots = chart.days.flatMap((day, index) => (day.value === null ? [] : [{ x: x(index), y: y(day.value), day }]));
-  const apart = chart.days.length > 70 ? 'month' : 'week';
-  let last = -Infinity;
-  const dates = chart.days.flatMap((day, index) => {
-    const begins = apart === 'month' ? day.day.endsWith('-01') : index % 7 === 0;
-    const isFar = index * step < width - LEFT - 24 && x(index) - last >= DATE_APART;
-    if (begins && isFar) last = x(index);
-    return begins && isFar ? [{ x: x(index), text: dayAndMonth(day.day) }] : [];
-  });
-  const ends = low === high ? [low] : [high, low];
   const at = new Map(chart.days.map(({ day }, index) => [day, x(index)]));
-  return { usual, dots, dates, x: (day) => at.get(day) ?? null, values: ends.map((value) => ({ y: y(value), text: said(chart.unit, value) })) };
+  const [first, last] = [chart.days[0]?.day ?? '', chart.days.at(-1)?.day ?? ''];
+  const span = (from: string, to: string) => {
+    if (to < first || from > last || from > to) return null;
+    const [begin, end] = [at.get(from < first ? first : from)!, at.get(to > last ? last : to)!];
+    const left = Math.max(begin - step / 2, LEFT);
+    return { x: left, width: Math.min(end + step / 2, width) - left };
+  };
+  const near = (place: number) => dots.reduce<(typeof dots)[number] | null>((best, dot) => (best === null || Math.abs(dot.x - place) < Math.abs(best.x - place) ? dot : best), null)?.day ?? null;
+  return { usual: bands(usual, x, y), dots, dates: datesOf(chart, x, step, width), x: (day) => at.get(day) ?? null, span, near, values: labels.map((value) => ({ y: y(value), text: said(chart.unit, value) })) };
+}
+
+/** The labelled dates, as close as they are readable. */
+function datesOf(chart: MeasureChart, x: (day: number) => number, step: number, width: number): Drawn['dates'] {
+  const isLong = chart.days.length > 70;
+  let last = -Infinity;
+  return chart.days.flatMap(({ day }, index) => {
+    const begins = isLong ? day.endsWith('-01') : index % 7 === 0;
+    if (!begins || index * step >= width - LEFT - 24 || x(index) - last < DATE_APART) return [];
+    last = x(index);
+    return [{ x: x(index), text: dayAndMonth(day) }];
+  });
 }
 
 /** A chart in a sentence, for screen readers. */

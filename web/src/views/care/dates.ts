@@ -8,6 +8,8 @@ const form = (options: Intl.DateTimeFormatOptions) => new Intl.DateTimeFormat('e
 const long = form({ weekday: 'long', day: 'numeric', month: 'long', year: 'numeric' });
 const medium = form({ weekday: 'short', day: 'numeric', month: 'short' });
 const short = form({ day: 'numeric', month: 'short' });
+const date = form({ day: 'numeric', month: 'long' });
+const whole = form({ day: 'numeric', month: 'long', year: 'numeric' });
 const month = form({ month: 'long', year: 'numeric' });
 
 const ms = (day: string) => read(`${day} 00:00:00`);
@@ -21,6 +23,19 @@ export const inShort = (day: string) => said(medium, day).replace(',', '');
 
 /** `2 Mar`. */
 export const dayAndMonth = (day: string) => said(short, day);
+
+/** `2 March`. */
+export const inWords = (day: string) => said(date, day);
+
+/** `2 March 2009`. */
+export const withYear = (day: string) => said(whole, day);
+
+/** `2 to 29 March 2009`, with all parts in which both differ. */
+export function spanInWords(from: string, to: string): string {
+  if (from === to) return withYear(to);
+  const begin = from.slice(0, 7) === to.slice(0, 7) ? String(Number(from.slice(8))) : from.slice(0, 4) === to.slice(0, 4) ? inWords(from) : withYear(from);
+  return `${begin} to ${withYear(to)}`;
+}
 
 /** `March 2009`. */
 export const monthOf = (day: string) => said(month, day);

@@ -1,17 +1,22 @@
-// Notes on alerts and days. They are stored with the run, so that other users see them.
+// Notes on episodes, days and references. They are stored with the run, so that other users see them.
 
+import { type Keeper, keep, read } from '../../browser-storage';
 import { Refused, type Server, notesPath, said } from '../../server';
-import type { AlertView, NoteChange, NoteView } from '../../wire';
+import type { NoteChange, NoteView } from '../../wire';
 
-/** The subject of a note: an alert, or with an empty rule a day. */
-export type Of = Pick<AlertView, 'day' | 'rule'>;
+/** The subject of a note: an episode by the day on which it was found, a day, or a reference by its first day. */
+export type Subject = Pick<NoteView, 'day' | 'about'>;
 
 /** The server's answer if another page has changed the notes meanwhile. */
 const CHANGED = 409;
 
+const WHO = 'homebody-who';
+
 export class Notes {
   notes = $state.raw<readonly NoteView[]>([]);
   problem = $state('');
+  /** The name of the user, as last given in this browser. */
+  who = $state('');
   /** Grows when the notes of a run arrive. */
   came = $state(0);
   private run: string | null = null;
@@ -20,7 +25,12 @@ export class Notes {
   /** One after the other: each note is based on the one before. */
   private queue: Promise<void> = Promise.resolve();
 
-  constructor(private readonly server: Pick<Server, 'json' | 'post'>) {}
+  constructor(
+    private readonly server: Pick<Server, 'json' | 'post'>,
+    private readonly keeper: () => Keeper = () => window.localStorage,
+  ) {
+    this.who = read(keeper, WHO) ?? '';
+  }
 
   async open(run: string): Promise<void> {
     this.run = run;
@@ -34,15 +44,21 @@ export class Notes {
     if (run === this.run) this.came += 1;
   }
 
-  of({ day, rule }: Of): NoteView {
-    return find(this.notes, { day, rule }) ?? { day, rule, seen: false, note: '' };
+  of({ day, about }: Subject): NoteView {
+    return find(this.notes, { day, about }) ?? { day, about, seen: false, note: '', who: '', at: '' };
   }
 
-  /** Shows a note at once, and restores the old one if it cannot be stored. */
-  change(of: Of, changed: Partial<Pick<NoteView, 'seen' | 'note'>>): Promise<void> {
+  /** Remembers the name of the user. */
+  be(who: string): void {
+    this.who = who;
+    keep(this.keeper, WHO, who === '' ? null : who);
+  }
+
+  /** Shows a note at once, and restores the old one if it cannot be stored. The server gives it its time. */
+  change(of: Subject, changed: Partial<Pick<NoteView, 'seen' | 'note'>>): Promise<void> {
     const { run } = this;
     if (run === null) return Promise.resolve();
-    const note = { ...this.of(of), ...changed };
+    const note: NoteView = { ...this.of(of), ...changed, who: this.who, at: '' };
     this.notes = [...this.notes.filter((other) => find([other], of) === undefined), note];
     this.queue = this.queue.then(() => this.send(run, note));
     return this.queue;
@@ -69,6 +85,6 @@ export class Notes {
   }
 }
 
-function find(notes: readonly NoteView[], { day, rule }: Of): NoteView | undefined {
-  return notes.find((note) => note.day === day && note.rule === rule);
+function find(notes: readonly NoteView[], { day, about }: Subject): NoteView | undefined {
+  return notes.find((note) => note.day === day && note.about === about);
 }

@@ -1,8 +1,8 @@
-// Two intervals of days side by side: the value of each measure in both, and the differences in words.
+// Two periods of days: their presets, the value of each measure in both, and the differences in words.
 
-import type { CareView, MeasureChart, ValueForm } from '../../wire';
+import type { CareView, MeasureChart, MeasureGroup, ValueForm } from '../../wire';
 import { said } from './chart';
-import { shifted } from './dates';
+import { between, shifted } from './dates';
 
 /** First and last day. */
 export interface Span {
@@ -13,6 +13,7 @@ export interface Span {
 export interface MeasureComparison {
   measure: string;
   title: string;
+  group: MeasureGroup;
   is_guess: boolean;
   first: Side;
   second: Side;
@@ -35,22 +36,86 @@ const LEAST_DAYS = 3;
 /** Smallest number of standard errors of a difference (our choice). */
 const APART_SE = 2;
 
-/** The last two weeks and the two before; the halves of a short log. */
-export function usualSpans(care: Pick<CareView, 'days' | 'day'>): [Span, Span] | null {
-  const [first, last] = [care.days[0]?.day, care.day ?? care.days.at(-1)?.day];
-  if (first === undefined || last === undefined) return null;
-  const known = care.days.findIndex(({ day }) => day === last) + 1;
-  const length = Math.max(Math.min(14, Math.floor(known / 2)), 1);
-  const middle = shifted(last, 1 - length);
-  const before = shifted(middle, -1);
-  return [{ from: middle, to: last }, { from: shifted(middle, -length), to: before < first ? first : before }];
+/** Days of the periods of a preset (our choice). */
+const [LAST_DAYS, MONTH_DAYS] = [14, 28];
+/** A year of whole weeks, so that weekdays are the same. */
+const YEAR_DAYS = 364;
+
+export type PresetName = 'reference' | 'month' | 'year' | 'halves';
+
+/** A pair of periods that the log has. */
+export interface Preset {
+  name: PresetName;
+  /** The second period, in words. */
+  words: string;
+  spans: [Span, Span];
 }
+
+type Days = Pick<CareView, 'days' | 'day' | 'reference'>;
+
+/** The first day of the log, and the last one that counts. */
+function boundsOf(care: Pick<CareView, 'days' | 'day'>): Span | null {
+  const [from, to] = [care.days[0]?.day, care.day ?? care.days.at(-1)?.day];
+  return from === undefined || to === undefined ? null : { from, to };
+}
+
+const least = (a: string, b: string) => (a < b ? a : b);
+const most = (a: string, b: string) => (a > b ? a : b);
+
+/** A period within others; null if too few days are left. */
+function within({ from, to }: Span, bounds: Span): Span | null {
+  const span = { from: most(from, bounds.from), to: least(to, bounds.to) };
+  return between(span.from, span.to) + 1 < LEAST_DAYS ? null : span;
+}
+
+/** The presets that a log has, the best first. No period overlaps the other, or begins before the log. */
+export function presetsOf(care: Days): Preset[] {
+  const bounds = boundsOf(care);
+  if (bounds === null) return [];
+  const { from: first, to: last } = bounds;
+  const recent = within({ from: shifted(last, 1 - LAST_DAYS), to: last }, bounds);
+  const presets: Preset[] = [];
+  const add = (name: PresetName, words: string, one: Span | null, other: Span | null) => {
+    if (one !== null && other !== null) presets.push({ name, words, spans: [one, other] });
+  };
+  if (recent === null) return [];
+  const { reference } = care;
+  if (reference !== null) {
+    const after = within({ from: most(recent.from, shifted(reference.to, 1)), to: last }, bounds);
+    add('reference', 'the usual days', after, within(reference, bounds));
+  }
+  add('month', 'the month before', recent, within({ from: shifted(recent.from, -MONTH_DAYS), to: shifted(recent.from, -1) }, bounds));
+  const yearBefore = { from: shifted(recent.from, -YEAR_DAYS), to: shifted(recent.to, -YEAR_DAYS) };
+  add('year', 'the same weeks last year', recent, yearBefore.from < first ? null : yearBefore);
+  if (presets.length === 0) {
+    const middle = shifted(first, Math.ceil((between(first, last) + 1) / 2));
+    add('halves', 'the days before', within({ from: middle, to: last }, bounds), within({ from: first, to: shifted(middle, -1) }, bounds));
+  }
+  return presets;
+}
+
+/** The days from a day on, and those before it: at most a month of each. */
+export function aroundDay(care: Pick<CareView, 'days' | 'day'>, day: string): [Span, Span] | null {
+  const bounds = boundsOf(care);
+  if (bounds === null) return null;
+  const [after, before] = [within({ from: day, to: shifted(day, MONTH_DAYS - 1) }, bounds), within({ from: shifted(day, -MONTH_DAYS), to: shifted(day, -1) }, bounds)];
+  return after === null || before === null ? null : [after, before];
+}
+
+/** A period with another end, within the log; an end that passes the other sets both. */
+export function changed(care: Pick<CareView, 'days' | 'day'>, { from, to }: Span, end: keyof Span, day: string): Span {
+  const bounds = boundsOf(care) ?? { from: day, to: day };
+  const inside = least(most(day, bounds.from), bounds.to);
+  return end === 'from' ? { from: inside, to: most(inside, to) } : { from: least(from, inside), to: inside };
+}
+
+export const overlap = (one: Span, other: Span) => one.from <= other.to && other.from <= one.to;
 
 export function compared(care: Pick<CareView, 'charts'>, first: Span, second: Span): MeasureComparison[] {
   return care.charts.map((chart) => {
     const [one, other] = [sideOf(chart, first), sideOf(chart, second)];
     const { words, is_more } = difference(chart, one, other);
-    return { measure: chart.measure, title: chart.title, is_guess: chart.is_guess, first: one, second: other, words, is_more };
+    return { measure: chart.measure, title: chart.title, group: chart.group, is_guess: chart.is_guess, first: one, second: other, words, is_more };
   });
 }
 
@@ -77,7 +142,7 @@ function variance(values: readonly number[], mean: number): number {
 
 function inWords(unit: ValueForm, by: number, before: number): string {
   const much = Math.abs(by);
-  const percent = () => `${Math.round((much / before) * 100)} %`;
+  const percent = () => (before === 0 ? said(unit, much) : `${Math.round((much / Math.abs(before)) * 100)} %`);
   switch (unit) {
     case 'clock':
       return `${long(much)} ${by > 0 ? 'later' : 'earlier'}`;
@@ -86,6 +151,8 @@ function inWords(unit: ValueForm, by: number, before: number): string {
     case 'of_usual':
     case 'metres_a_second':
       return `${percent()} ${by > 0 ? 'faster' : 'slower'}`;
+    case 'amount':
+      return `${percent()} ${by > 0 ? 'more' : 'less'}`;
     case 'times':
       return `${much.toFixed(1)} ${by > 0 ? 'more' : 'fewer'} a day`;
   }
