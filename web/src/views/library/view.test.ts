@@ -80,6 +80,12 @@ test('of a run that is being lived no length is told', async () => {
   expect([...document.querySelectorAll('article li .quiet')].map((one) => one.textContent)).toEqual(['running', '3 days']);
 });
 
+test('a home with runs leads to Care, and so does each run', async () => {
+  card = { ...CARD, runs: 1, latest: [stored('flat-1')] };
+  await open();
+  expect([...document.querySelectorAll('article a')].filter((link) => link.textContent!.startsWith('Care')).map((link) => link.getAttribute('href'))).toEqual(['/homes/flat/#/care', '/homes/flat/#/care/flat-1']);
+});
+
 test('of twins it is said which was lived without what', async () => {
   card = { ...CARD, runs: 2, latest: [{ ...stored('flat-2'), without: ['cognitive_decline'] }, stored('flat-1')] };
   await open();

@@ -276,6 +276,14 @@ test('controls say what they are for', () => {
   ]);
 });
 
+test('a run leads to Care once it has a day', () => {
+  const link = () => document.querySelector('a[href^="#/care"]')?.getAttribute('href');
+  show({ now_us: 3_600_000_000 });
+  expect(link()).toBeUndefined();
+  show({ now_us: 30 * 3_600_000_000 });
+  expect(link()).toBe(`#/care/${live.run!.id}`);
+});
+
 test('a run begins with whom was chosen, and one that was stopped can be lived again', () => {
   const who = document.querySelector<HTMLSelectElement>('#walks')!;
   write(who, '1', 'change');

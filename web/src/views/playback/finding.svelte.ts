@@ -12,7 +12,7 @@ export const ASKED: Record<SearchSubject, { title: string; of: string | null; be
   fall: { title: 'a person falls', of: null, between: null, least_min: 0 },
   seen_fall: { title: 'a fall seen by cameras', of: null, between: null, least_min: 0 },
   lost: { title: 'a lost message', of: null, between: null, least_min: 0 },
-  alert: { title: 'an alert', of: null, between: null, least_min: 0 },
+  alert: { title: 'a change that Care found', of: null, between: null, least_min: 0 },
 };
 
 /** The first choice, by words in the name. */

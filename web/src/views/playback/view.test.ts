@@ -84,6 +84,7 @@ test('the latest run is opened, and another can be chosen', async () => {
   for (let turn = 0; turn < 5; turn++) await settle();
   expect(window.location.hash).toBe('#/playback/cottage-1');
   expect(document.querySelector<HTMLSelectElement>('#first-run')!.value).toBe('cottage-1');
+  expect(document.querySelector('a[href^="#/care"]')!.getAttribute('href')).toBe('#/care/cottage-1');
 });
 
 test('sliders go by minute, second, hour and day, and say where', async () => {
