@@ -88,6 +88,6 @@ await picture('care', 'tigerplace-depression', async (page, served) => {
   await page.setViewportSize({ width: 1280, height: 1465 });
   await page.reload();
   await page.getByRole('heading', { name: 'Day by day' }).waitFor();
-  await page.getByRole('region', { name: 'Calendar' }).getByRole('button', { name: /2 alerts open/ }).last().click();
+  await page.getByRole('region', { name: 'Changes' }).locator('.signs summary').first().click();
   await wait(500);
 });

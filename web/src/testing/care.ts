@@ -1,4 +1,4 @@
-// A made-up care view: three months in which a resident slowly changes, for tests and for looking at the page without a server.
+// A made-up care view: over three months a resident slowly changes. Tests use it, and so does the page without a server.
 
 import type { BesideUsual, CareDay, CareView, ChartPoint, Episode, MeasureChart, MeasureGroup, ValueForm } from '../wire';
 import type { Fetch } from '../server';
