@@ -91,10 +91,18 @@ for (const scheme of ['light', 'dark']) {
 const phone = await open('?driven=0', { scheme: 'light', width: 420, height: 900 });
 await check(phone, 'phone');
 await phone.close();
-for (const view of ['plan', 'life', 'playback']) {
+for (const view of ['plan', 'life', 'playback', 'care']) {
   for (const [what, query] of Object.entries({ '': '', '-hostile': '?hostile=1' })) {
     const page = await open(query, { scheme: 'dark', width: 1280, height: 720, hash: `#/${view}`, wait: 1800 });
     await check(page, `${view}${what}`);
+    await page.close();
+  }
+}
+
+for (const state of ['calm', 'few', 'new', 'over', 'no_home']) {
+  for (const [scheme, width] of [['light', 1440], ['dark', 390]]) {
+    const page = await open(`?care=${state}`, { scheme, width, height: 900, hash: '#/care', wait: 1200 });
+    await check(page, `care-${state}-${scheme}`);
     await page.close();
   }
 }

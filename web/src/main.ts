@@ -16,8 +16,8 @@ async function begin(): Promise<void> {
     const { madeUpHome } = await import('./testing/home');
     const { madeUpScenario } = await import('./testing/scenario');
     const named = asked.has('hostile') ? hostile : (name: string) => name;
-    const { fakeCare } = await import('./testing/care');
-    const stored = fakeCare(fakeRuns(['cottage-2', 'cottage-1'].map(named), (name) => storedRun(name, 30)));
+    const { careIn, fakeCare } = await import('./testing/care');
+    const stored = fakeCare(fakeRuns(['cottage-2', 'cottage-1'].map(named), (name) => storedRun(name, 30)), (name) => careIn(asked.get('care'), name));
     const files = await madeUpScenario(madeUpHome(Number(asked.get('sensors') ?? 18), named), ['Agnes', 'Bertram'].map(named));
     window.fetch = async (path, init) => (/^\/api\/(runs|logs|walk)/.test(String(path)) ? stored : files)(String(path), init ?? {});
   }

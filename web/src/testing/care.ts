@@ -69,7 +69,7 @@ export function madeUpCare(name: string, length = 90, since: number | null = 45,
     silent: ['The sensor hall motion has sent nothing since 28 May 2009'],
     walks: 'lived',
     days,
-    absences: [{ from: dateOf(20), to: dateOf(21) }],
+    absences: length > 21 ? [{ from: dateOf(20), to: dateOf(21) }] : [],
     sentences: [
       { words: 'Margaret was out for at most 2 hours on most days of the last two weeks.', numbers: 'On 11 of 14 days; 1.2 hours on average.', measure: 'time_out', days: [] },
       { words: 'Showered on about half of the last 14 days.', numbers: 'On 7 of 14 days.', measure: 'showers', days: [dateOf(length - 3)] },
@@ -97,6 +97,24 @@ export function madeUpEpisode(since: number, found: number, over: number | null,
     seen_with: [{ condition: 'depression', likelihood_ratio: 4.2 }, { condition: 'heart-failure', likelihood_ratio: 2.3 }],
     words: `${over === null ? `Since about ${date(dateOf(since))}` : `From about ${date(dateOf(since))} to ${date(dateOf(over - 1))}`}: getting up 47 min later, 1.5 h more sitting and resting, and fewer room changes by 32 %`,
   };
+}
+
+/** The care view of a state, by the page's address: `?care=calm`, `few`, `new`, `over` or `no_home`. */
+export function careIn(state: string | null, name: string): CareView {
+  switch (state) {
+    case 'calm':
+      return madeUpCare(name, 90, null);
+    case 'few':
+      return madeUpCare(name, 5, null, { headline: { state: 'not_known', words: 'What is usual is not known yet: 5 complete days of 7 days needed' } });
+    case 'new':
+      return madeUpCare(name, 56, 45, { headline: { state: 'look_today', words: madeUpEpisode(45, 54, null, 56).words } });
+    case 'over':
+      return madeUpCare(name, 90, null, { headline: { state: 'as_usual', words: 'As usual again since 10 May' }, episodes: [madeUpEpisode(45, 54, 69, 90)] });
+    case 'no_home':
+      return madeUpCare(name, 12, null, { walks: 'no_home' });
+    default:
+      return madeUpCare(name);
+  }
 }
 
 /** Answers about the care of runs, before another server. */

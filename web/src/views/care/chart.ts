@@ -57,7 +57,7 @@ export function said(unit: ValueForm, value: number): string {
     case 'metres_a_second':
       return `${value.toFixed(2)} m/s`;
     case 'times':
-      return Number.isInteger(value) ? String(value) : value.toFixed(1);
+      return Number.isInteger(value) || value >= 20 ? value.toFixed(0) : value.toFixed(1);
     case 'amount':
       return value.toFixed(value >= 20 ? 0 : value >= 2 ? 1 : 2);
   }

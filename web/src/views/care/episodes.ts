@@ -72,7 +72,7 @@ function plain(condition: string): string {
 export function referenceInWords(reference: ReferenceDays | null): string {
   if (reference === null) return 'There is nothing to compare with: no complete day is known yet';
   const { from, to, days } = reference;
-  return `Compared with ${spanInWords(from, to)} (${days} complete ${days === 1 ? 'day' : 'days'})`;
+  return `${days < LEAST_DAYS ? 'Known so far:' : 'Compared with'} ${spanInWords(from, to)} (${days} complete ${days === 1 ? 'day' : 'days'})`;
 }
 
 /** The changes that a reference shows that is not whole yet; empty for a whole one. */
@@ -83,10 +83,13 @@ export function limitInWords(reference: ReferenceDays | null): string {
   return `Only large changes can be seen yet: slow changes need ${WHOLE_DAYS} complete days.`;
 }
 
+/** A change could be found: the reference has enough days. */
+export const canCompare = (reference: ReferenceDays | null) => (reference?.days ?? 0) >= LEAST_DAYS;
+
 /** The reason why a measure of a day has no usual value. */
 export function unknownInWords(reference: ReferenceDays | null, day: string): string {
-  if (reference === null || reference.days < LEAST_DAYS) return 'too few complete days yet to know what is usual';
-  if (day <= reference.to) return 'too few complete days before this one';
+  if (!canCompare(reference)) return 'too few complete days yet to know what is usual';
+  if (reference !== null && day <= reference.to) return 'too few complete days before this one';
   return 'too few of the days in comparison have this measure';
 }
 

@@ -64,7 +64,7 @@ test('conditions are named in careful words', () => {
 test('a short reference says what cannot be seen yet', () => {
   const reference = (count: number) => ({ from: '2009-03-02', to: shifted('2009-03-02', count - 1), days: count, is_marked: false });
   expect([null, reference(6), reference(7), reference(27), reference(28)].map((one) => limitInWords(one).split(':')[0])).toEqual(['No change can be seen yet', 'No change can be seen yet', 'Only large changes can be seen yet', 'Only large changes can be seen yet', '']);
-  expect([referenceInWords(reference(28)), referenceInWords(reference(1))]).toEqual(['Compared with 2 to 29 March 2009 (28 complete days)', 'Compared with 2 March 2009 (1 complete day)']);
+  expect([referenceInWords(reference(28)), referenceInWords(reference(1))]).toEqual(['Compared with 2 to 29 March 2009 (28 complete days)', 'Known so far: 2 March 2009 (1 complete day)']);
   expect(referenceInWords(null)).toContain('no complete day');
 });
 

@@ -103,8 +103,8 @@ test('with few days the headline says what cannot be seen yet', async () => {
   }
   answers[own('/runs/a/care')] = calm('a', 5);
   await begin();
-  expect(text(one('#care-day'))).toContain('Nothing can be compared yet');
-  expect(text(one('#care-day'))).toContain('too few complete days yet to know what is usual');
+  expect(text(one('#care-day'))).toContain('Nothing can be compared: too few complete days yet to know what is usual.');
+  expect(text(part('Changes'))).toContain('Not enough days yet to find a change.');
   const kinds = [...document.querySelectorAll('#care-day li')].map((row) => row.className.match(/usual|unknown|odd|sign/)![0]);
   expect([...new Set(kinds)]).toEqual(['unknown']);
   expect(text()).not.toContain('as usual');
@@ -177,7 +177,7 @@ test('an episode is dealt with by name and note, stays in its place, and is fold
     [own('/runs/a/notes'), { before: stored, note: { ...seen, note: 'called the doctor' } }],
   ]);
   expect(document.querySelector('details.episode')).toBeNull();
-  expect(text(part('Changes'))).toContain('You have dealt with all open changes.');
+  expect(text(part('Changes'))).toContain('The open change is dealt with.');
   await unmount(view);
   await begin();
   expect(one<HTMLDetailsElement>('details.episode').open).toBe(false);
