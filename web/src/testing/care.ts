@@ -1,6 +1,6 @@
 // A made-up care view: over three months a resident slowly changes. Tests use it, and so does the page without a server.
 
-import type { BesideUsual, CareDay, CareView, ChartPoint, Episode, MeasureChart, MeasureGroup, ValueForm } from '../wire';
+import type { BesideUsual, CareDay, CareView, ChartPoint, Episode, MeasureChart, MeasureGroup, NoteChange, NoteView, ValueForm } from '../wire';
 import type { Fetch } from '../server';
 
 const DAY_MS = 86_400_000;
@@ -119,14 +119,16 @@ export function careIn(state: string | null, name: string): CareView {
 
 /** Answers about the care of runs, before another server. */
 export function fakeCare(others: Fetch, of: (name: string) => CareView = (name) => madeUpCare(name)): Fetch {
-  const notes = new Map<string, unknown[]>();
+  const notes = new Map<string, NoteView[]>();
   return async (path, init) => {
     const [, run, what] = /^\/api\/runs\/([^/]+)\/(care|notes)$/.exec(path) ?? [];
     if (run === undefined) return path === '/api/logs' ? Response.json([]) : others(path, init);
     if (what === 'care') return Response.json(of(decodeURIComponent(run)));
-    const kept = notes.get(run) ?? [];
-    if (init.method === 'POST') kept.push({ ...(JSON.parse(String(init.body)) as { note: object }).note, at: '2009-06-01T09:30' });
-    notes.set(run, kept);
-    return Response.json(kept);
+    if (init.method === 'POST') {
+      const { note } = JSON.parse(String(init.body)) as NoteChange;
+      const others = (notes.get(run) ?? []).filter((other) => other.day !== note.day || other.about !== note.about);
+      notes.set(run, note.seen || note.note !== '' ? [...others, { ...note, at: '2009-06-01T09:30' }] : others);
+    }
+    return Response.json(notes.get(run) ?? []);
   };
 }

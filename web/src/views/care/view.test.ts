@@ -198,6 +198,7 @@ test('the name of the user is known for the next note, also one about a day', as
   expect(sent).toEqual([[own('/runs/a/notes'), { before: null, note: { day: FOUND, about: 'day', seen: false, note: 'her son came', who: 'Eve', at: '' } }]]);
   expect(text(one('#care-day'))).toContain('Note by Eve on 1 June 2009 at 09:30.');
   expect(cell().title).toContain('a change was found, with a note');
+  expect(text(one('ul.printed'))).toBe('25 April 2009: her son came (by Eve on 1 June 2009 at 09:30)');
 });
 
 test('episodes that are over are folded, after the open ones', async () => {
