@@ -443,7 +443,7 @@ sentences: Array<CareSentenceView>,
 /**
  * The latest first.
  */
-episodes: Array<Episode>, charts: Array<MeasureChart>, };
+episodes: Array<ChangeEpisode>, charts: Array<MeasureChart>, };
 
 export type PlaybackContent = "lived" | "walked_back" | "sensors" | "no_home";
 
@@ -485,7 +485,7 @@ is_marked: boolean, };
 
 export type DaysAway = { from: string, to: string, };
 
-export type Episode = { 
+export type ChangeEpisode = { 
 /**
  * The estimated first day.
  */

@@ -1,4 +1,4 @@
-//! Alerts: the measures of a day differ from the resident's own past.
+//! Alerts by rules of the user's own: the measures of a day differ from the days before.
 //!
 //! A day is compared with the days before, never with other people. It does not count, neither as usual nor as unusual, if it is not whole,
 //! if the resident was out for most of it, or if a sensor was silent that the measure needs. The silent sensor has an alert of its own.
@@ -17,7 +17,10 @@ use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
 
-pub use rule::{AlertDirection, AlertMethod, AlertRule, AlertRuleMessage, Rules, Several, USUAL};
+pub use rule::{AlertDirection, AlertMethod, AlertRule, AlertRuleMessage, Rules, Several};
+
+#[cfg(test)]
+pub(crate) use rule::EXAMPLE;
 
 pub const SENSOR: &str = "sensor";
 

@@ -104,9 +104,8 @@ const UNUSUAL_SD: f64 = 2.0;
 /// needs movements in the bedroom, speed needs a home.
 fn rows(measures: &Measures) -> Vec<usize> {
     let has_values = |number: usize| measures.days.iter().any(|day| day.values[number].is_some());
-    let is_replaced = |name: &str| {
-        MEASURES.iter().enumerate().any(|(better, of)| of.instead_of == Some(name) && has_values(better))
-    };
+    let is_replaced =
+        |name: &str| MEASURES.iter().enumerate().any(|(better, of)| of.instead_of == Some(name) && has_values(better));
     let mut rows: Vec<usize> =
         (0..MEASURES.len()).filter(|&number| has_values(number) && !is_replaced(MEASURES[number].name)).collect();
     rows.sort_by_key(|&number| MEASURES[number].group);
@@ -135,7 +134,15 @@ pub fn care(measures: &Measures, options: WatchOptions, subject: &str) -> Care {
             points.push(ChartPoint { date: of.date, value, usual: usual.map(range) });
         }
         let DailyMeasure { name, title, group, unit, least_sd, .. } = *measure;
-        charts.push(MeasureChart { measure: name, title, group, unit: unit.form, little: least_sd, is_guess, days: points });
+        charts.push(MeasureChart {
+            measure: name,
+            title,
+            group,
+            unit: unit.form,
+            little: least_sd,
+            is_guess,
+            days: points,
+        });
     }
     let summary = summarise(measures, SummarySubject { subject, last: LAST_DAYS });
     Care {
@@ -176,7 +183,6 @@ fn measure_words(measure: &'static DailyMeasure, value: f64, date: Date, usual: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::alerts::USUAL;
     use jiff::civil::date;
 
     fn measures(sleep: &[f64]) -> Measures {
@@ -184,19 +190,27 @@ mod tests {
     }
 
     #[test]
-    fn the_last_day_is_held_against_the_usual() {
-        let rules = Rules::read(USUAL).unwrap();
-        let same = care(&measures(&[7.0; 20]), &rules, "Ada");
+    fn compares_a_day_with_the_reference() {
+        let of = |days: &[f64]| care(&measures(days), WatchOptions::default(), "Ada");
+        let same = of(&[7.0; 20]);
         assert_eq!(same.days[19].told[0].words, "Slept for 7.0 hours, as usual");
-        let short = [[7.0; 20].as_slice(), &[4.0]].concat();
-        let short = care(&measures(&short), &rules, "Ada");
+        let short = of(&[[7.0; 20].as_slice(), &[4.0]].concat());
         assert_eq!(short.days[20].told[0].words, "Slept for 4.0 hours, less than usual (7.0)");
-        assert_eq!((short.days[20].told[0].is_more, short.day), (Some(false), Some(date(2024, 1, 21))));
+        assert_eq!((short.days[20].told[0].beside, short.day), (BesideUsual::Less, Some(date(2024, 1, 21))));
         assert_eq!((short.charts.len(), short.charts[0].days.len()), (1, 21));
-        assert_eq!(short.charts[0].days[20].usual, Some((6.5, 7.5)));
-        assert_eq!(short.charts[0].days[3].usual, None, "three days are no usual");
-        assert!(!same.is_compared);
-        assert!(short.is_compared, "seven days lie before");
+        assert_eq!(short.charts[0].days[20].usual, Some((6.2, 7.8)));
+        assert_eq!(short.charts[0].days[3].usual, None, "three days are no reference");
+        assert_eq!(short.days[3].told[0].beside, BesideUsual::NotKnown);
+    }
+
+    #[test]
+    fn every_measure_with_values_has_a_chart_and_words() {
+        let columns: Vec<(&str, Vec<Option<f64>>)> = (MEASURES.iter())
+            .filter(|measure| measure.instead_of.is_none() && measure.name != "time_out")
+            .map(|measure| (measure.name, (0..30).map(|day| Some(f64::from(day % 3) + 1.0)).collect()))
+            .collect();
+        let care = care(&crate::sample::days(&columns), WatchOptions::default(), "Ada");
+        assert_eq!((care.charts.len(), care.days[29].told.len()), (columns.len(), columns.len()));
     }
 
     #[test]
@@ -205,7 +219,7 @@ mod tests {
         let out = MEASURES.iter().position(|measure| measure.name == "time_out").unwrap();
         days.days[1].values[out] = Some(23.0);
         days.days[2].is_whole = false;
-        let told = care(&days, &Rules::read(USUAL).unwrap(), "Ada").days;
+        let told = care(&days, WatchOptions::default(), "Ada").days;
         let known: Vec<DayKnowledge> = told.iter().map(|day| day.known).collect();
         assert_eq!(
             known,

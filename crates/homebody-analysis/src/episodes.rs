@@ -16,18 +16,19 @@ mod wording;
 
 use crate::measures::{DayMeasures, MEASURES, Measures, SilentSensor};
 use crate::phrases::{in_full, listed, write_remarks};
-use detector::{Distances, Leading, Sum, Sums};
+use detector::{Leading, Sum, Sums, beyond, mean_distances};
 use homebody_core::names::capitalised;
 use homebody_core::problem::counted;
 use homebody_core::statistics::mean;
 use jiff::civil::Date;
-use reference::Reference;
+use reference::GrowingReference;
 use serde::Serialize;
 use signs::{LAST_DAYS, WatchedColumns, signs};
 use std::fmt;
 
+pub use detector::Distances;
 pub use headline::{Headline, HeadlineState};
-pub use patterns::{Pattern, PatternMeasure, Patterns};
+pub use patterns::{ConditionPattern, PatternMeasure, Patterns};
 pub use reference::{LEAST_DAYS, REFERENCE_DAYS, ReferenceDays, Usual};
 pub use signs::Sign;
 
@@ -35,9 +36,11 @@ pub use signs::Sign;
 const OVER: f64 = 4.0;
 /// Largest distance of a measure of a day that counts, in standard deviations (our choice): a single measure does not decide.
 const MOST_DISTANCE_SD: f64 = 3.5;
-/// Least likelihood ratio with which a condition is named, and factor by which signs have grown or eased (our choice).
+/// Least likelihood ratio with which a condition is named, and by how much its evidence may be below the most (our choice).
 const LEAST_RATIO: f64 = 2.0;
-const GROWN: f64 = 1.3;
+const NEAR_EVIDENCE: f64 = 1.0;
+/// Difference of the evidence of a day at which an episode grows or eases (our choice).
+const COURSE_EVIDENCE: f64 = 1.0;
 
 /// How the days of a log differ from the reference.
 #[derive(Clone, Debug, Serialize)]
@@ -50,7 +53,7 @@ pub struct WatchedDays {
     /// `None` before the first day that counts.
     pub reference: Option<ReferenceDays>,
     /// In the order in which they were found.
-    pub episodes: Vec<Episode>,
+    pub episodes: Vec<ChangeEpisode>,
     /// What was found day by day, by the days until then alone.
     pub news: Vec<EpisodeNews>,
     pub absences: Vec<DaysAway>,
@@ -65,13 +68,16 @@ pub struct WatchedDays {
 /// Signs that moved together.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "wire", derive(ts_rs::TS))]
-pub struct Episode {
+pub struct ChangeEpisode {
     /// The estimated first day.
     #[cfg_attr(feature = "wire", ts(type = "string"))]
     pub since: Date,
     /// The day after whose end it was found.
     #[cfg_attr(feature = "wire", ts(type = "string"))]
     pub found: Date,
+    /// The days after whose end it was known to have become worse.
+    #[cfg_attr(feature = "wire", ts(type = "string[]"))]
+    pub worse: Vec<Date>,
     /// The first day that was as usual again; `None` while it lasts.
     #[cfg_attr(feature = "wire", ts(type = "string | null"))]
     pub over: Option<Date>,
@@ -84,7 +90,7 @@ pub struct Episode {
     pub words: String,
 }
 
-/// An episode is found, or is over.
+/// An episode is found, is worse, or is over.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EpisodeNews {
     /// The day after whose end it is known.
@@ -102,6 +108,7 @@ pub struct EpisodeNews {
 #[serde(rename_all = "snake_case")]
 pub enum NewsKind {
     Found,
+    Worse,
     Over,
 }
 
@@ -141,38 +148,47 @@ pub struct WatchOptions<'a> {
     pub marked: &'a [Date],
     /// The evidence at which an episode is found, if not that of the patterns.
     pub threshold: Option<f64>,
+    /// Patterns in place of the fitted ones.
+    pub patterns: Option<&'a Patterns>,
 }
 
 /// An episode by the numbers of its days.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct FoundEpisode {
     since: usize,
     found: usize,
+    /// The days after whose end it was known to have become worse.
+    worse: Vec<usize>,
     over: Option<usize>,
     /// The day after whose end it is known to be over.
     closed: Option<usize>,
     leading: Leading,
+    /// By condition, the evidence when it was found or became worse.
+    evidence: Vec<f64>,
     /// Evidence that the days are as usual again.
     against: Sum,
+    /// The mean distances of the episode when it was found or became worse.
+    level: Distances,
 }
 
 /// Takes days one after the other.
-struct Watcher<'a> {
+struct DayWatcher<'a> {
     patterns: &'a Patterns,
     threshold: f64,
-    reference: Reference,
-    sums: Sums<'a>,
+    reference: GrowingReference,
+    /// Of a change from the usual days; within an episode, of a change from its level.
+    sums: Sums,
     distances: Vec<Distances>,
     usual: Vec<Vec<Option<Usual>>>,
     episodes: Vec<FoundEpisode>,
 }
 
-impl<'a> Watcher<'a> {
-    fn new(patterns: &'a Patterns, threshold: Option<f64>) -> Watcher<'a> {
-        Watcher {
+impl<'a> DayWatcher<'a> {
+    fn new(patterns: &'a Patterns, threshold: Option<f64>) -> DayWatcher<'a> {
+        DayWatcher {
             patterns,
             threshold: threshold.unwrap_or(patterns.threshold),
-            reference: Reference::new(),
+            reference: GrowingReference::new(),
             sums: Sums::new(patterns),
             distances: Vec::new(),
             usual: Vec::new(),
@@ -183,57 +199,87 @@ impl<'a> Watcher<'a> {
     /// Begins a new reference with the next day.
     fn mark(&mut self) {
         let today = self.distances.len();
-        self.reference = Reference::new();
+        self.reference = GrowingReference::new();
         self.sums.clear();
-        self.episodes.iter_mut().filter(|episode| episode.over.is_none()).for_each(|episode| {
-            (episode.over, episode.closed) = (Some(today), Some(today));
-        });
+        for open in self.episodes.iter_mut().filter(|episode| episode.over.is_none()) {
+            (open.over, open.closed) = (Some(today), Some(today));
+        }
     }
 
     fn take(&mut self, day: &DayMeasures, is_marked: bool) {
-        let number = self.distances.len();
-        let usual: Vec<Option<Usual>> = (0..MEASURES.len()).map(|measure| self.reference.usual(measure).copied()).collect();
+        let usual: Vec<Option<Usual>> =
+            (0..MEASURES.len()).map(|measure| self.reference.usual(measure).copied()).collect();
         let distance = |(value, usual): (&Option<f64>, &Option<Usual>)| {
             let distance = usual.as_ref()?.distance(day.date, (*value)?);
             Some(distance.clamp(-MOST_DISTANCE_SD, MOST_DISTANCE_SD)).filter(|_| day.counts())
         };
-        let distances: Distances = day.values.iter().zip(&usual).map(distance).collect();
-        self.distances.push(distances);
+        self.distances.push(day.values.iter().zip(&usual).map(distance).collect());
         self.usual.push(usual);
         if !day.counts() {
             return;
         }
-        let distances = &self.distances[number];
-        self.sums.take(number, distances);
-        match self.episodes.last_mut().filter(|episode| episode.over.is_none()) {
-            Some(open) => {
-                let pattern = &self.patterns.patterns[open.leading.pattern];
-                open.against.add(-pattern.evidence(distances, open.leading.amplitude), number);
-                if open.against.value >= OVER {
-                    (open.over, open.closed) = (open.against.since, Some(number));
-                    self.sums.clear();
-                }
-            }
-            None => {
-                let leading = self.sums.leading().filter(|leading| leading.sum.value >= self.threshold);
-                self.episodes.extend(leading.map(|leading| FoundEpisode {
-                    since: leading.sum.since.unwrap_or(number),
-                    found: number,
-                    over: None,
-                    closed: None,
-                    leading,
-                    against: Sum::default(),
-                }));
-                if leading.is_none() {
-                    self.reference.take(day, is_marked);
-                }
-            }
+        let is_open = self.episodes.last().is_some_and(|episode| episode.over.is_none());
+        let is_found = if is_open { self.take_in_episode() } else { self.take_usual() };
+        if !is_open && !is_found {
+            self.reference.take(day, is_marked);
         }
+    }
+
+    /// Takes the last day outside of an episode, and says whether one is found.
+    fn take_usual(&mut self) -> bool {
+        let today = self.distances.len() - 1;
+        self.sums.add(today, &self.patterns.evidence(&self.distances[today]));
+        let Some(leading) = self.reached() else { return false };
+        self.episodes.push(FoundEpisode {
+            since: leading.sum.since,
+            found: today,
+            worse: Vec::new(),
+            over: None,
+            closed: None,
+            leading,
+            evidence: self.sums.by_condition(),
+            against: Sum::default(),
+            level: mean_distances(&self.distances[leading.sum.since..]),
+        });
+        self.sums.clear();
+        true
+    }
+
+    /// Takes the last day within an episode, and says whether it has become worse.
+    fn take_in_episode(&mut self) -> bool {
+        let today = self.distances.len() - 1;
+        let Some(open) = self.episodes.last_mut() else { return false };
+        let evidence = self.patterns.evidence(&self.distances[today]);
+        open.against.add(-evidence[open.leading.pattern][open.leading.share], today);
+        if open.against.value >= OVER {
+            (open.over, open.closed) = (Some(open.against.since), Some(today));
+            self.sums.clear();
+            return false;
+        }
+        let mut worse = self.patterns.evidence(&beyond(&self.distances[today], &open.level));
+        // A day that is nearer to the usual days than to the pattern is not worse.
+        for (worse, evidence) in worse.iter_mut().flatten().zip(evidence.iter().flatten()) {
+            *worse = worse.min(*evidence);
+        }
+        self.sums.add(today, &worse);
+        let Some(leading) = self.reached() else { return false };
+        let evidence = self.sums.by_condition();
+        if let Some(open) = self.episodes.last_mut() {
+            open.worse.push(today);
+            open.level = mean_distances(&self.distances[leading.sum.since..]);
+            (open.leading, open.evidence, open.against) = (leading, evidence, Sum::default());
+        }
+        self.sums.clear();
+        true
+    }
+
+    fn reached(&self) -> Option<Leading> {
+        self.sums.leading().filter(|leading| leading.sum.value >= self.threshold)
     }
 }
 
-fn watched(measures: &Measures, options: WatchOptions) -> Watcher<'static> {
-    let mut watcher = Watcher::new(Patterns::fitted(), options.threshold);
+fn watched<'a>(measures: &Measures, options: WatchOptions<'a>) -> DayWatcher<'a> {
+    let mut watcher = DayWatcher::new(options.patterns.unwrap_or_else(|| Patterns::fitted()), options.threshold);
     let mut is_marked = false;
     for day in &measures.days {
         if options.marked.contains(&day.date) {
@@ -245,15 +291,34 @@ fn watched(measures: &Measures, options: WatchOptions) -> Watcher<'static> {
     watcher
 }
 
-/// The numbers of the days on which episodes were found.
+/// The distances of all days from a reference that ends with four weeks that count, whatever was found in them.
+pub fn distances(measures: &Measures) -> Vec<Distances> {
+    let mut watcher = DayWatcher::new(Patterns::fitted(), Some(f64::INFINITY));
+    measures.days.iter().for_each(|day| watcher.take(day, false));
+    watcher.distances
+}
+
+/// The numbers of the days on which episodes were found or became worse.
 pub fn found_days(measures: &Measures, options: WatchOptions) -> Vec<usize> {
-    watched(measures, options).episodes.iter().map(|episode| episode.found).collect()
+    let of = |episode: FoundEpisode| [episode.found].into_iter().chain(episode.worse);
+    watched(measures, options).episodes.into_iter().flat_map(of).collect()
+}
+
+/// By day on which an episode was found or became worse, the conditions that its signs are seen with.
+pub fn named_conditions(measures: &Measures, options: WatchOptions) -> Vec<(usize, Vec<String>)> {
+    let watcher = watched(measures, options);
+    let of = |episode: &FoundEpisode| {
+        let day = episode.worse.last().copied().unwrap_or(episode.found);
+        (day, watcher.near(episode).map(|(pattern, _)| pattern.name.clone()).collect())
+    };
+    watcher.episodes.iter().map(of).collect()
 }
 
 /// The episodes of a log.
 pub fn watch(measures: &Measures, options: WatchOptions) -> WatchedDays {
     let watcher = watched(measures, options);
-    let episodes: Vec<Episode> = watcher.episodes.iter().map(|found| watcher.episode(found, &measures.days)).collect();
+    let episodes: Vec<ChangeEpisode> =
+        watcher.episodes.iter().map(|found| watcher.episode(found, &measures.days)).collect();
     let absences = absences(&measures.days);
     WatchedDays {
         name: measures.name.clone(),
@@ -270,9 +335,9 @@ pub fn watch(measures: &Measures, options: WatchOptions) -> WatchedDays {
     }
 }
 
-impl Watcher<'_> {
+impl DayWatcher<'_> {
     /// An episode with its dates and its signs, by what is known at the end of the days.
-    fn episode(&self, found: &FoundEpisode, days: &[DayMeasures]) -> Episode {
+    fn episode(&self, found: &FoundEpisode, days: &[DayMeasures]) -> ChangeEpisode {
         let date = |number: usize| days[number].date;
         let until = found.over.unwrap_or(days.len());
         let watched = WatchedColumns { days, distances: &self.distances, usual: &self.usual };
@@ -280,9 +345,10 @@ impl Watcher<'_> {
         let signs = signs(&watched, found.since..until.max(found.found + 1));
         let since = date(found.since);
         let words = wording::episode_words(since, found.over.map(date), &signs);
-        Episode {
+        ChangeEpisode {
             since,
             found: date(found.found),
+            worse: found.worse.iter().copied().map(date).collect(),
             over: found.over.map(date),
             course: self.course(found, until),
             seen_with: self.seen_with(found),
@@ -291,53 +357,70 @@ impl Watcher<'_> {
         }
     }
 
-    /// What was found day by day.
+    /// What was found day by day, by what was known on each day.
     fn news(&self, days: &[DayMeasures]) -> Vec<EpisodeNews> {
         let watched = WatchedColumns { days, distances: &self.distances, usual: &self.usual };
         let mut news = Vec::new();
         for episode in &self.episodes {
             let since = days[episode.since].date;
-            let signs = signs(&watched, episode.since..episode.found + 1);
-            let measures: Vec<&'static str> = signs.iter().map(|sign| sign.measure).collect();
-            let words = wording::episode_words(since, None, &signs);
-            let found = days[episode.found].date;
-            news.push(EpisodeNews { date: found, kind: NewsKind::Found, since, measures: measures.clone(), words });
-            if let Some((closed, over)) = episode.closed.zip(episode.over) {
-                let words = format!("As usual again since {}", in_full(days[over].date));
-                news.push(EpisodeNews { date: days[closed].date, kind: NewsKind::Over, since, measures, words });
+            let mut tell = |on: usize, kind: NewsKind, over: Option<usize>| {
+                let signs = signs(&watched, episode.since..over.unwrap_or(on + 1).max(episode.found + 1));
+                let words = match (kind, over) {
+                    (NewsKind::Over, Some(over)) => format!("As usual again since {}", in_full(days[over].date)),
+                    (NewsKind::Worse, _) => format!("More of it. {}", wording::episode_words(since, None, &signs)),
+                    _ => wording::episode_words(since, None, &signs),
+                };
+                let measures = signs.iter().map(|sign| sign.measure).collect();
+                news.push(EpisodeNews { date: days[on].date, kind, since, measures, words });
+            };
+            tell(episode.found, NewsKind::Found, None);
+            episode.worse.iter().for_each(|on| tell(*on, NewsKind::Worse, None));
+            if let Some(closed) = episode.closed {
+                tell(closed.min(days.len() - 1), NewsKind::Over, episode.over);
             }
         }
         news
     }
 
-    /// The evidence of the last week beside that of the strongest week.
+    /// The evidence of the last week beside that of the first and the strongest week.
     fn course(&self, found: &FoundEpisode, until: usize) -> Course {
         if found.over.is_some() {
             return Course::Over;
         }
-        let pattern = &self.patterns.patterns[found.leading.pattern];
-        let known: Vec<&Distances> =
-            self.distances[found.since..until].iter().filter(|day| day.iter().any(Option::is_some)).collect();
-        let weeks: Vec<f64> = known.windows(LAST_DAYS).map(|week| mean_of(week.iter().map(|day| pattern.match_with(day)))).collect();
+        let pattern = &self.patterns.conditions[found.leading.pattern];
+        let known: Vec<f64> = self.distances[found.since..until]
+            .iter()
+            .filter(|day| day.iter().any(Option::is_some))
+            .map(|day| pattern.evidence(day, 1.0))
+            .collect();
+        let weeks: Vec<f64> = known.windows(LAST_DAYS).filter_map(mean).collect();
         let (Some(last), Some(first)) = (weeks.last(), weeks.first()) else { return Course::Steady };
         let most = weeks.iter().copied().fold(f64::MIN, f64::max);
         match () {
-            () if *last > first * GROWN && *last >= most / GROWN => Course::Growing,
-            () if *last < most / GROWN => Course::Easing,
+            () if last - first > COURSE_EVIDENCE && most - last < COURSE_EVIDENCE => Course::Growing,
+            () if most - last > COURSE_EVIDENCE => Course::Easing,
             () => Course::Steady,
         }
     }
 
-    /// The condition of the pattern, if the pattern says something of it.
-    fn seen_with(&self, found: &FoundEpisode) -> Vec<SeenWith> {
-        let mut seen: Vec<SeenWith> = found.leading.ranked(self.patterns);
-        seen.retain(|with| with.likelihood_ratio >= LEAST_RATIO);
-        seen
+    /// The conditions with about as much evidence as the leading one.
+    fn near(&self, found: &FoundEpisode) -> impl Iterator<Item = (&ConditionPattern, f64)> {
+        let most = found.evidence.iter().copied().fold(0.0, f64::max);
+        let all = self.patterns.conditions.iter().zip(found.evidence.clone());
+        all.filter(move |(_, evidence)| most - evidence <= NEAR_EVIDENCE)
     }
-}
 
-fn mean_of(values: impl Iterator<Item = f64>) -> f64 {
-    mean(&values.collect::<Vec<f64>>()).unwrap_or(0.0)
+    /// The conditions that such signs are seen with, the one with the most evidence first.
+    fn seen_with(&self, found: &FoundEpisode) -> Vec<SeenWith> {
+        let mut near: Vec<(&ConditionPattern, f64)> =
+            self.near(found).filter(|(pattern, _)| pattern.likelihood_ratio >= LEAST_RATIO).collect();
+        near.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let seen = |(pattern, _): (&ConditionPattern, f64)| SeenWith {
+            condition: pattern.name.clone(),
+            likelihood_ratio: pattern.likelihood_ratio,
+        };
+        near.into_iter().map(seen).collect()
+    }
 }
 
 /// Runs of days on which nobody was at home for most of the day.
@@ -381,7 +464,7 @@ impl DaysAway {
     }
 }
 
-impl fmt::Display for Episode {
+impl fmt::Display for ChangeEpisode {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "{}. Found on {}, {}.", self.words, in_full(self.found), self.course.words())?;
         for sign in &self.signs {
@@ -412,3 +495,6 @@ impl Course {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

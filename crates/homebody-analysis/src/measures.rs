@@ -37,7 +37,7 @@ use measured_day::DayContext;
 use remarks::Remarks;
 
 pub use day_by_day::Measuring;
-pub use measure::{DailyMeasure, MeasureUnit, NoteMeaning, SummaryUse, ValueForm};
+pub use measure::{DailyMeasure, MeasureGroup, MeasureUnit, NoteMeaning, SummaryUse, ValueForm};
 pub use measured_day::MeasuredDay;
 pub use registry::MEASURES;
 pub use rooms::{Purpose, SensorRooms};

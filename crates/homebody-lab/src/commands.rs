@@ -43,7 +43,7 @@ use std::ffi::OsString;
   homebody-lab realism --data casas --json realism.json
   homebody-lab locate --json locate.json
   homebody-lab measures --homes 8
-  homebody-lab alerts --people 200 --json alerts.json
+  homebody-lab alerts --people 400 --json alerts.json
   homebody-lab falls --cases 100
   homebody-lab round-trip --homes 40
   homebody-lab sensor-faults --homes 10

@@ -72,8 +72,7 @@ pub fn propose(
     let own: Vec<String> = home.sensors.iter().map(|sensor| sensor.name().to_owned()).collect();
     let names: Vec<String> = candidates.iter().map(|sensor| sensor.name().to_owned()).collect();
     let with_all = HomeFile { sensors: [&home.sensors[..], &candidates].concat(), ..home.clone() };
-    let trial =
-        Trial { home: &with_all, goals: request.goals, people: &people, build: request.build };
+    let trial = Trial { home: &with_all, goals: request.goals, people: &people, build: request.build };
     let found = trial.best(&names, request.sensors, &|step, sensors| goes_on(Step::Searching(step, sensors)));
     let mut found = found.ok_or(PeopleError::Stopped)?;
     let mut own = (!own.is_empty()).then(|| trial.of(&own));

@@ -7,7 +7,7 @@ use crate::search::{
     BY_TRUTH, KnownStay, Listener, Query, SearchDay, SearchError, SearchGround, SearchResult, SearchSubject,
     TakeSearchRow, at_home, falls_in_rooms, find,
 };
-use homebody_analysis::episodes::{Episode, WatchOptions, watch};
+use homebody_analysis::episodes::{ChangeEpisode, WatchOptions, watch};
 use homebody_analysis::falls::rules::FallRules;
 use homebody_analysis::measures::SensorRooms;
 use homebody_analysis::signs::{Kind, kinds};
@@ -123,9 +123,8 @@ fn seen_falls<'a>(
 
 /// Episodes, on the days on which they were found.
 fn of_episodes(read: &LoadedLog) -> Result<Vec<KnownStay<'static, WallTime>>, QueryError> {
-    let measures =
-        read.measures().map_err(|why| QueryError::Search(SearchError::Unread(why.to_string())))?;
-    let stay = |episode: Episode| KnownStay {
+    let measures = read.measures().map_err(|why| QueryError::Search(SearchError::Unread(why.to_string())))?;
+    let stay = |episode: ChangeEpisode| KnownStay {
         time: Interval::starting(WallTime::midnight(episode.found), DAY),
         who: None,
         name: Cow::Borrowed("episode"),

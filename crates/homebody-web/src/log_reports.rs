@@ -3,6 +3,7 @@
 use crate::folders::HomeFolders;
 use crate::located_log::given_log;
 use crate::messages::PageMessage;
+use crate::notes::Notes;
 use crate::playback::{FileStates, file_states};
 use crate::request_error::{RequestError, no_run, unprocessable, without};
 use crate::wire::{CareView, KeptLogView, PlaybackContent};
@@ -19,6 +20,7 @@ use homebody_picture::{density_map, look_page, realism_page};
 use homebody_query::{LoadedLog, LogRef, QueryError, home_sensors};
 use homebody_tracking::located_folder::GIVEN;
 use homebody_tracking::sensors_of_home;
+use jiff::civil::Date;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Largest number of rows of a log that are analysed (our choice): some years of a home's. They are in memory
@@ -38,6 +40,8 @@ pub struct LogReports {
 /// A report with the states of its files.
 struct CachedCare {
     files: FileStates,
+    /// The days on which a new reference begins.
+    marked: Vec<Date>,
     care: CareView,
 }
 
@@ -81,7 +85,9 @@ impl LogReports {
         };
         let files = file_states(&named.place.files());
         let mut cached = self.cached.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = cached.iter().find(|known| known.care.name == run && known.files == files) {
+        let marked = Notes::new(self.folders.clone()).references(run)?;
+        let is_known = |known: &&CachedCare| known.care.name == run && known.files == files && known.marked == marked;
+        if let Some(known) = cached.iter().find(is_known) {
             return Ok(known.care.clone());
         }
         let zone = scenario.as_ref().map(|scenario| scenario.file.time_zone.as_str());
@@ -93,10 +99,11 @@ impl LogReports {
         let measures = read.measures().map_err(unprocessable)?;
         let subject = read.subject();
         let person = if read.residents().len() > 1 { "the residents" } else { &subject };
+        let options = WatchOptions { marked: &marked, ..WatchOptions::default() };
         let care = CareView::new(care(&measures, options, &subject), (run, person), self.playback_content(run));
         cached.retain(|known| known.care.name != run);
         cached.truncate(MOST_CACHED - 1);
-        cached.insert(0, CachedCare { files, care: care.clone() });
+        cached.insert(0, CachedCare { files, marked, care: care.clone() });
         Ok(care)
     }
 

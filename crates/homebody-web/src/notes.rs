@@ -1,4 +1,4 @@
-//! Notes about alerts and days, stored with the run, so that every browser shows them.
+//! Notes about episodes and days, and days of a new reference, stored with the run, so that every browser shows them.
 //!
 //! They are a small JSON file in the folder of the run, or next to the copy of a located log. A note replaces another only if the
 //! page has seen that one.
@@ -6,17 +6,20 @@
 use crate::folders::HomeFolders;
 use crate::messages::PageMessage;
 use crate::request_error::{RequestError, failed, no_run, unprocessable};
-use crate::wire::{NoteChange, NoteView};
+use crate::wire::{NoteChange, NoteSubject, NoteView};
 use crate::write_locks::WriteLocks;
 use axum::http::StatusCode;
 use homebody_core::scenario::inside::NOTES;
 use homebody_log::files::fresh::FreshFile;
 use homebody_log::files::plain;
+use jiff::Zoned;
+use jiff::civil::Date;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
-/// Largest number of letters of a note, and of a rule's name (our choice).
+/// Largest number of letters of a note, and of a person's name (our choice).
 const LONGEST_NOTE: usize = 500;
+const LONGEST_NAME: usize = 100;
 /// Largest number of notes of a run (our choice).
 const MOST_NOTES: usize = 5000;
 /// Largest size of the file of notes (our choice): a note has at most four bytes a letter, and a name.
@@ -51,27 +54,35 @@ impl Notes {
         if !is_date(&note.day) {
             return Err(unprocessable(PageMessage::NoteDay));
         }
-        if letters(&note.note) > LONGEST_NOTE || letters(&note.rule) > LONGEST_NOTE {
+        if letters(&note.note) > LONGEST_NOTE || letters(&note.who) > LONGEST_NAME {
             return Err(unprocessable(PageMessage::NoteLength { limit: LONGEST_NOTE }));
         }
         let place = self.place(run)?;
         let _lock = self.writing.lock(&place).map_err(unprocessable)?;
         let mut notes = read(&place)?;
-        let is_there = |other: &NoteView| other.day == note.day && other.rule == note.rule;
+        let is_there = |other: &NoteView| other.day == note.day && other.about == note.about;
         let there = notes.iter().find(|other| is_there(other)).cloned();
-        if there != before && there.as_ref() != Some(&note) {
+        let is_same = |other: &NoteView| NoteView { at: note.at.clone(), ..other.clone() } == note;
+        if there != before && !there.as_ref().is_some_and(is_same) {
             return Err(RequestError::new(StatusCode::CONFLICT, PageMessage::NoteChanged));
         }
         notes.retain(|other| !is_there(other));
         if note.seen || !note.note.is_empty() {
-            notes.push(note);
+            let at = Zoned::now().strftime("%Y-%m-%dT%H:%M").to_string();
+            notes.push(NoteView { at, ..note });
         }
         if notes.len() > MOST_NOTES {
             return Err(unprocessable(PageMessage::TooManyNotes { limit: MOST_NOTES }));
         }
-        notes.sort_by(|a, b| (&a.day, &a.rule).cmp(&(&b.day, &b.rule)));
+        notes.sort_by(|a, b| (&a.day, a.about).cmp(&(&b.day, b.about)));
         write(&place, &notes)?;
         Ok(notes)
+    }
+
+    /// The days on which a new reference begins.
+    pub fn references(&self, run: &str) -> Result<Vec<Date>, RequestError> {
+        let marks = self.all(run)?.into_iter().filter(|note| note.about == NoteSubject::Reference && note.seen);
+        Ok(marks.filter_map(|note| note.day.parse().ok()).collect())
     }
 
     fn place(&self, run: &str) -> Result<PathBuf, RequestError> {

@@ -194,7 +194,7 @@ fn run_routes() -> Router<OpenHome> {
         .route(
             "/api/runs/{run}/find",
             post(answer(json, |home, (Path(run), Json(asked)): (RunPath, _), cancel| {
-                home.playback.find(&run, &asked, cancel, || home.logs.care(&run).map(|care| care.alerts))
+                home.playback.find(&run, &asked, cancel, || home.logs.care(&run).map(|care| care.episodes))
             })),
         )
         .route(

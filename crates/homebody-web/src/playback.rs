@@ -33,6 +33,7 @@ use homebody_log::{LogError, Movement, MovementKind, Movements, Url, scale_of};
 use homebody_query::search::KnownStay;
 use homebody_routine::household::Household;
 use homebody_timeline::{Episode, PersonTimeline};
+use homebody_tracking::located_folder::GIVEN;
 use lived::{Lived, Lives};
 use reading::Reading;
 use std::collections::HashMap;
@@ -331,6 +332,9 @@ impl Playback {
     }
 
     pub fn log_of(&self, name: &str) -> Option<PathBuf> {
+        if let Some(kept) = self.folders.kept_log(name) {
+            return Some(kept.join(GIVEN).read_dir().ok()?.flatten().next()?.path());
+        }
         let scenario = self.folders.recording(name).ok()?.scenario().ok()?;
         self.log(name, &scenario)?.file().map(Path::to_owned)
     }

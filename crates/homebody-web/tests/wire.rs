@@ -3,7 +3,9 @@
 use crate::generated::is_generated;
 use homebody_analysis::care::{BesideUsual, CareDay, ChartPoint, DayKnowledge, MeasureChart, MeasureWords};
 use homebody_analysis::coverage::SensorCoverage;
-use homebody_analysis::episodes::{Course, DaysAway, Episode, Headline, HeadlineState, ReferenceDays, SeenWith, Sign};
+use homebody_analysis::episodes::{
+    ChangeEpisode, Course, DaysAway, Headline, HeadlineState, ReferenceDays, SeenWith, Sign,
+};
 use homebody_analysis::measures::{MEASURES, MeasureGroup, ValueForm};
 use homebody_analysis::parts::SensorDifference;
 use homebody_core::activity::{ACTIVITIES, AWAY, ActivityKind, KIND_WORDS};
@@ -77,7 +79,7 @@ fn declarations() -> Vec<String> {
         HeadlineState,
         ReferenceDays,
         DaysAway,
-        Episode,
+        ChangeEpisode,
         Course,
         Sign,
         SeenWith,

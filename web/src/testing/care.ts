@@ -1,6 +1,6 @@
 // A made-up care view: over three months a resident slowly changes. Tests use it, and so does the page without a server.
 
-import type { BesideUsual, CareDay, CareView, ChartPoint, Episode, MeasureChart, MeasureGroup, NoteChange, NoteView, ValueForm } from '../wire';
+import type { BesideUsual, CareDay, CareView, ChartPoint, ChangeEpisode, MeasureChart, MeasureGroup, NoteChange, NoteView, ValueForm } from '../wire';
 import type { Fetch } from '../server';
 
 const DAY_MS = 86_400_000;
@@ -81,7 +81,7 @@ export function madeUpCare(name: string, length = 90, since: number | null = 45,
 }
 
 /** An episode between numbers of days. */
-export function madeUpEpisode(since: number, found: number, over: number | null, length: number): Episode {
+export function madeUpEpisode(since: number, found: number, over: number | null, length: number): ChangeEpisode {
   const during = Array.from({ length: (over ?? length) - since }, (_, day) => dateOf(since + day));
   const date = (day: string) => new Date(`${day}T00:00:00Z`).toLocaleDateString('en-GB', { day: 'numeric', month: 'long', timeZone: 'UTC' });
   return {

@@ -4,8 +4,9 @@ use crate::measures::{DailyMeasure, MEASURES};
 use homebody_core::problem::{Problem, Problems};
 use serde::Deserialize;
 
-/// The rules of those who give none of their own.
-pub const USUAL: &str = include_str!("rules.json");
+/// The rules of the documentation, as an example.
+#[cfg(test)]
+pub const EXAMPLE: &str = include_str!("rules.json");
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "an object with \"rules\", a list of rules")]
@@ -199,7 +200,7 @@ mod tests {
 
     #[test]
     fn the_usual_rules_are_well_formed() {
-        assert!(Rules::read(USUAL).is_ok_and(|rules| rules.rules.len() > 10 && rules.several.is_some()));
+        assert!(Rules::read(EXAMPLE).is_ok_and(|rules| rules.rules.len() > 10 && rules.several.is_some()));
     }
 
     #[test]

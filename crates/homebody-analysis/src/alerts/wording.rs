@@ -26,7 +26,7 @@ impl DailyMeasure {
 mod tests {
     use super::AlertMethod::{Cusum, Deviation, Ewma};
     use super::*;
-    use crate::alerts::{Rules, USUAL};
+    use crate::alerts::{EXAMPLE, Rules};
 
     fn alert(name: &str, method: AlertMethod, values: (f64, f64), days: i8) -> String {
         let days: Vec<Date> = (1..=days).map(|day| jiff::civil::date(2024, 1, day)).collect();
@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn no_rule_is_worded_with_terms_of_sensors_or_statistics() {
-        let rules = Rules::read(USUAL).unwrap();
+        let rules = Rules::read(EXAMPLE).unwrap();
         for (rule, values) in rules.rules.iter().flat_map(|rule| [(rule, (1.0, 2.0)), (rule, (2.0, 1.0))]) {
             let (_, measure) = rule.measure().unwrap();
             let words = alert(measure.name, rule.method, values, 1);

@@ -1,86 +1,97 @@
-//! Evidence of a change, day by day: cumulative sums of likelihood ratios (Page 1954), one for each pattern.
+//! Evidence of a change, day by day: cumulative sums of likelihood ratios (Page 1954), one for each condition's pattern.
 //!
 //! A pattern says by how many standard deviations each measure of a day shifts, and how much each standard deviation weighs. The sum
-//! of a pattern grows on days that fit it better than usual days, and is never below 0.
+//! of a pattern grows on days that fit it better than usual days or days with a harmless change, and is never below 0.
 
-use super::patterns::{Pattern, Patterns};
-use crate::measures::{DailyMeasure, MEASURES};
+use super::patterns::Patterns;
+use homebody_core::statistics::mean;
 
 /// The distances of a day's measures from the usual ones, in standard deviations, by measure.
 pub type Distances = Vec<Option<f64>>;
 
-/// Shares of a pattern's shifts that have a sum each: a mild change and a moderate one (our choice).
-pub const AMPLITUDES: [f64; 2] = [0.5, 1.0];
-/// Evidence of one day for or against a pattern, at most (our choice): no single day decides.
-const MOST_OF_A_DAY: f64 = 3.0;
+/// Shares of a pattern's shifts that have a sum each (our choice): a change that begins, a mild one and a moderate one.
+const SHARES: [f64; 3] = [0.3, 0.6, 1.0];
+/// The most evidence of one day for or against a pattern (our choice).
+const MOST_OF_A_DAY: f64 = 4.0;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sum {
     pub value: f64,
     /// The number of the first day since the sum was 0.
-    pub since: Option<usize>,
+    pub since: usize,
 }
 
 impl Sum {
     pub fn add(&mut self, evidence: f64, day: usize) {
-        self.value += evidence;
         if self.value <= 0.0 {
-            *self = Sum::default();
-        } else {
-            self.since.get_or_insert(day);
+            self.since = day;
         }
+        self.value = (self.value + evidence).max(0.0);
     }
 }
 
-/// The pattern with the most evidence.
+/// The pattern of a condition with the most evidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leading {
     pub pattern: usize,
-    pub amplitude: f64,
+    pub share: usize,
     pub sum: Sum,
 }
 
-/// The sums of all patterns.
-#[derive(Clone, Debug)]
-pub struct Sums<'a> {
-    patterns: &'a Patterns,
-    /// By pattern, by amplitude.
-    sums: Vec<[Sum; AMPLITUDES.len()]>,
-}
+/// The evidence of a day, by pattern and share.
+pub type DayEvidence = Vec<[f64; SHARES.len()]>;
 
-impl<'a> Sums<'a> {
-    pub fn new(patterns: &'a Patterns) -> Sums<'a> {
-        Sums { patterns, sums: vec![Default::default(); patterns.patterns.len()] }
+/// The sums of all conditions' patterns.
+#[derive(Clone, Debug)]
+pub struct Sums(Vec<[Sum; SHARES.len()]>);
+
+impl Sums {
+    pub fn new(patterns: &Patterns) -> Sums {
+        Sums(vec![Default::default(); patterns.conditions.len()])
     }
 
-    pub fn take(&mut self, day: usize, distances: &Distances) {
-        for (pattern, sums) in self.patterns.patterns.iter().zip(&mut self.sums) {
-            for (sum, amplitude) in sums.iter_mut().zip(AMPLITUDES) {
-                sum.add(pattern.evidence(distances, amplitude), day);
-            }
+    pub fn add(&mut self, day: usize, evidence: &DayEvidence) {
+        for (sums, evidence) in self.0.iter_mut().zip(evidence) {
+            sums.iter_mut().zip(evidence).for_each(|(sum, evidence)| sum.add(*evidence, day));
         }
     }
 
     pub fn leading(&self) -> Option<Leading> {
-        let all = self.sums.iter().enumerate().flat_map(|(pattern, sums)| {
-            sums.iter().zip(AMPLITUDES).map(move |(sum, amplitude)| Leading { pattern, amplitude, sum: *sum })
+        let all = self.0.iter().enumerate().flat_map(|(pattern, sums)| {
+            sums.iter().enumerate().map(move |(share, sum)| Leading { pattern, share, sum: *sum })
         });
-        all.filter(|leading| leading.sum.since.is_some()).max_by(|a, b| a.sum.value.total_cmp(&b.sum.value))
+        all.max_by(|a, b| a.sum.value.total_cmp(&b.sum.value))
+    }
+
+    /// The most evidence for each condition, whatever its share.
+    pub fn by_condition(&self) -> Vec<f64> {
+        self.0.iter().map(|sums| sums.iter().map(|sum| sum.value).fold(0.0, f64::max)).collect()
     }
 
     pub fn clear(&mut self) {
-        self.sums.fill(Default::default());
+        self.0.fill(Default::default());
     }
 }
 
-impl Pattern {
-    /// The log-likelihood ratio of a day with the pattern to a usual day.
-    pub fn evidence(&self, distances: &Distances, amplitude: f64) -> f64 {
-        let of = |measure: &super::patterns::PatternMeasure| {
-            let number = MEASURES.iter().position(|DailyMeasure { name, .. }| *name == measure.measure)?;
-            Some(amplitude * measure.weight * (distances[number]? - amplitude * measure.shift_sd / 2.0))
-        };
-        let sum: f64 = self.measures.iter().filter_map(of).sum();
-        sum.clamp(-MOST_OF_A_DAY, MOST_OF_A_DAY)
+impl Patterns {
+    /// The evidence of a day for each condition, beside usual days and harmless changes.
+    pub(super) fn evidence(&self, distances: &Distances) -> DayEvidence {
+        let harmless = self.harmless.iter().map(|pattern| pattern.evidence(distances, 1.0)).fold(0.0, f64::max);
+        let limited = |evidence: f64| (evidence - harmless).clamp(-MOST_OF_A_DAY, MOST_OF_A_DAY);
+        (self.conditions.iter())
+            .map(|pattern| SHARES.map(|share| limited(pattern.evidence(distances, share))))
+            .collect()
     }
+}
+
+/// The mean distances of some days, by measure.
+pub fn mean_distances(days: &[Distances]) -> Distances {
+    let measures = days.first().map_or(0, Vec::len);
+    let of = |measure: usize| mean(&days.iter().filter_map(|day| day[measure]).collect::<Vec<f64>>());
+    (0..measures).map(of).collect()
+}
+
+/// The distances of a day from the means of other days.
+pub fn beyond(distances: &Distances, means: &Distances) -> Distances {
+    distances.iter().zip(means).map(|(distance, mean)| Some((*distance)? - mean.unwrap_or(0.0))).collect()
 }

@@ -1,7 +1,7 @@
 //! One sentence about the state of a resident.
 
 use super::reference::{LEAST_DAYS, REFERENCE_DAYS, ReferenceDays};
-use super::{DaysAway, Episode, wording};
+use super::{ChangeEpisode, DaysAway, wording};
 use crate::measures::{DayMeasures, Measures};
 use crate::phrases::in_full;
 use homebody_core::problem::counted;
@@ -39,7 +39,7 @@ impl Headline {
     pub(super) fn new(
         measures: &Measures,
         reference: Option<&ReferenceDays>,
-        episodes: &[Episode],
+        episodes: &[ChangeEpisode],
         away: &[DaysAway],
     ) -> Headline {
         let headline = |state, words: String| Headline { state, words };
@@ -64,7 +64,7 @@ impl Headline {
             0..LEAST_DAYS => headline(
                 HeadlineState::NotKnown,
                 format!(
-                    "What is usual is not known yet: {} of {LEAST_DAYS} days needed",
+                    "The usual days are not known yet: {} of {LEAST_DAYS} that are needed",
                     counted(known, "complete day", "complete days")
                 ),
             ),
@@ -81,7 +81,7 @@ impl Headline {
 }
 
 /// The end of the last episode, if it is recent.
-fn since_over(episodes: &[Episode], today: Date) -> String {
+fn since_over(episodes: &[ChangeEpisode], today: Date) -> String {
     let over = episodes.iter().filter_map(|episode| episode.over).max();
     let is_recent = |over: &Date| over.until(today).is_ok_and(|span| span.get_days() < 4 * NEW_DAYS);
     over.filter(is_recent).map_or(String::new(), |over| format!(" again since {}", wording::day_and_month(over)))

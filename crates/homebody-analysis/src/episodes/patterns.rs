@@ -1,25 +1,29 @@
 //! The changes of measures that conditions make in simulated lives, as `homebody-lab alerts --fit` writes them.
 
+use super::detector::Distances;
 use crate::measures::MEASURES;
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
-/// Patterns of conditions, fitted on simulated people. None of those is among the people of the published table of accuracy.
+/// Patterns that were fitted on simulated people. None of those is among the people of the table of accuracy.
 const FITTED: &str = include_str!("patterns.json");
 
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Patterns {
     /// The command that fitted the patterns.
     pub fitted_by: String,
-    /// Evidence at which an episode is found.
+    /// The evidence at which an episode is found, or has become worse.
     pub threshold: f64,
-    pub patterns: Vec<Pattern>,
+    pub conditions: Vec<ConditionPattern>,
+    /// Changes that are no sign of illness, such as a guest.
+    pub harmless: Vec<ConditionPattern>,
 }
 
+/// Shifts of measures that come together.
 #[derive(Clone, Debug, Deserialize, Serialize)]
-pub struct Pattern {
-    pub condition: String,
-    /// How many times as often an episode has this pattern in simulated people with the condition as in others.
+pub struct ConditionPattern {
+    pub name: String,
+    /// How many times as often news of an episode have this pattern in simulated people with the condition as in others.
     pub likelihood_ratio: f64,
     pub measures: Vec<PatternMeasure>,
 }
@@ -31,12 +35,40 @@ pub struct PatternMeasure {
     pub shift_sd: f64,
     /// The evidence of a day for each standard deviation of distance.
     pub weight: f64,
+    #[serde(skip)]
+    number: usize,
 }
 
 impl Patterns {
     pub fn fitted() -> &'static Patterns {
         static PATTERNS: LazyLock<Patterns> =
-            LazyLock::new(|| serde_json::from_str(FITTED).expect("a test reads the file of patterns"));
+            LazyLock::new(|| Patterns::read(FITTED).expect("a test reads the file of patterns"));
         &PATTERNS
+    }
+
+    pub fn read(text: &str) -> Result<Patterns, serde_json::Error> {
+        let mut patterns: Patterns = serde_json::from_str(text)?;
+        for measure in patterns.conditions.iter_mut().chain(&mut patterns.harmless).flat_map(|one| &mut one.measures) {
+            let place = MEASURES.iter().position(|known| known.name == measure.measure);
+            measure.number = place.ok_or_else(|| serde::de::Error::custom("a pattern has an unknown measure"))?;
+        }
+        Ok(patterns)
+    }
+}
+
+impl PatternMeasure {
+    pub fn new(measure: &str, shift_sd: f64, weight: f64) -> PatternMeasure {
+        PatternMeasure { measure: measure.to_owned(), shift_sd, weight, number: 0 }
+    }
+}
+
+impl ConditionPattern {
+    /// The log-likelihood ratio of a day with a share of the pattern's shifts to a usual day.
+    pub(super) fn evidence(&self, distances: &Distances, share: f64) -> f64 {
+        let of = |measure: &PatternMeasure| {
+            let beyond = distances[measure.number]? - share * measure.shift_sd / 2.0;
+            Some(share * measure.weight * beyond)
+        };
+        self.measures.iter().filter_map(of).sum()
     }
 }

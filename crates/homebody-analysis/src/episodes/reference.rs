@@ -1,6 +1,6 @@
 //! The reference of a resident: the first days that count, with which later days are compared.
 
-use crate::measures::{DailyMeasure, DayMeasures, MEASURES};
+use crate::measures::{DayMeasures, MEASURES};
 use homebody_core::statistics::{mean, quantile};
 use jiff::civil::Date;
 use serde::Serialize;
@@ -91,15 +91,15 @@ fn trimmed_mean(values: &[f64]) -> Option<f64> {
 
 /// A reference that grows day by day until it is whole.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Reference {
+pub(super) struct GrowingReference {
     pub days: Option<ReferenceDays>,
     values: Vec<Vec<(Date, f64)>>,
     usual: Vec<Option<Usual>>,
 }
 
-impl Reference {
-    pub fn new() -> Reference {
-        Reference { days: None, values: vec![Vec::new(); MEASURES.len()], usual: vec![None; MEASURES.len()] }
+impl GrowingReference {
+    pub fn new() -> GrowingReference {
+        GrowingReference { days: None, values: vec![Vec::new(); MEASURES.len()], usual: vec![None; MEASURES.len()] }
     }
 
     pub fn take(&mut self, day: &DayMeasures, is_marked: bool) {
@@ -110,7 +110,7 @@ impl Reference {
         (days.to, days.days) = (day.date, days.days + 1);
         for (number, measure) in MEASURES.iter().enumerate() {
             self.values[number].extend(day.values[number].map(|value| (day.date, value)));
-            self.usual[number] = Usual::of(&self.values[number], least_sd(measure, &self.values[number]));
+            self.usual[number] = Usual::of(&self.values[number], measure.least_sd);
         }
     }
 

@@ -47,8 +47,11 @@ pub(super) struct WatchedColumns<'a> {
 
 /// The signs in some days, the strongest first. Of measures of one thing the strongest stays.
 pub(super) fn signs(watched: &WatchedColumns, during: Range<usize>) -> Vec<Sign> {
-    let mut signs: Vec<(f64, Sign)> =
-        MEASURES.iter().enumerate().filter_map(|(number, measure)| sign(watched, during.clone(), number, measure)).collect();
+    let mut signs: Vec<(f64, Sign)> = MEASURES
+        .iter()
+        .enumerate()
+        .filter_map(|(number, measure)| sign(watched, during.clone(), number, measure))
+        .collect();
     signs.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut kept: Vec<Sign> = Vec::new();
     for (_, sign) in signs {
@@ -78,8 +81,7 @@ fn sign(
     number: usize,
     measure: &'static DailyMeasure,
 ) -> Option<(f64, Sign)> {
-    let known: Vec<(usize, f64)> =
-        during.filter_map(|day| Some((day, watched.distances[day][number]?))).collect();
+    let known: Vec<(usize, f64)> = during.filter_map(|day| Some((day, watched.distances[day][number]?))).collect();
     let shift_sd = mean(&known.iter().map(|(_, distance)| *distance).collect::<Vec<f64>>())?;
     let sure = shift_sd.abs() * (known.len() as f64).sqrt();
     if shift_sd.abs() < LEAST_SHIFT_SD || sure < LEAST_SURE_SE {

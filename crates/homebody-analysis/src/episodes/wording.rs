@@ -15,7 +15,9 @@ pub(super) fn day_and_month(date: Date) -> String {
 pub(super) fn episode_words(since: Date, over: Option<Date>, signs: &[Sign]) -> String {
     let span = match over {
         None => format!("Since about {}", day_and_month(since)),
-        Some(over) => format!("From about {} to {}", day_and_month(since), day_and_month(over.yesterday().unwrap_or(over))),
+        Some(over) => {
+            format!("From about {} to {}", day_and_month(since), day_and_month(over.yesterday().unwrap_or(over)))
+        }
     };
     let words: Vec<&str> = signs.iter().take(IN_A_SENTENCE).map(|sign| sign.words.as_str()).collect();
     if words.is_empty() {

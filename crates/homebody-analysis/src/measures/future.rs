@@ -1,7 +1,7 @@
 //! No measure sees the future: a day has the same values in a log that ends with it and in a longer one.
 
 use super::*;
-use crate::alerts::{Rules, SENSOR, USUAL, alerts};
+use crate::alerts::{EXAMPLE, Rules, SENSOR, alerts};
 use crate::sample::TestRandom;
 use homebody_core::home::form::HomeFile;
 use homebody_core::time::{DAY, MINUTE, SECOND};
@@ -230,7 +230,7 @@ fn an_alert_comes_on_its_day_whatever_comes_after_it() {
     let mut log = of_motion(4);
     let dies = WallTime::EPOCH + 25 * DAY;
     log.events.retain(|event| event.at < dies || ![3, 8].contains(&event.sensor));
-    let rules = Rules::read(USUAL).unwrap();
+    let rules = Rules::read(EXAMPLE).unwrap();
     let told = |days: usize| -> Vec<(Date, String)> {
         let alerts = alerts(&of_first(&log, days, None), &rules).alerts;
         alerts.into_iter().map(|alert| (alert.date, alert.rule)).collect()

@@ -479,7 +479,7 @@ mod tests {
 
     /// `HOMEBODY_REWRITE` writes the table anew.
     #[test]
-    fn the_page_of_measures_has_the_table_and_the_usual_rules() {
+    fn the_page_of_measures_has_the_table_and_the_example_of_rules() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/measures.md");
         let page = std::fs::read_to_string(&path).unwrap();
         let (before, rest) = page.split_once("| measure | unit | definition | source |\n|---|---|---|---|\n").unwrap();
@@ -494,7 +494,7 @@ mod tests {
         } else {
             assert_eq!(table, rows.join("\n"), "docs/reference/measures.md: HOMEBODY_REWRITE=1 writes the table anew");
         }
-        let rules = crate::alerts::USUAL.trim();
-        assert!(page.contains(rules), "docs/reference/measures.md lacks the usual rules as they are:\n{rules}");
+        let rules = crate::alerts::EXAMPLE.trim();
+        assert!(page.contains(rules), "docs/reference/measures.md lacks the example of rules as it is:\n{rules}");
     }
 }

@@ -1,7 +1,7 @@
 //! Measures and alerts of logs that are short, have gaps, or are of days that are unlike others.
 
 use super::*;
-use crate::alerts::{LogAlerts, Rules, SENSOR, USUAL, alerts};
+use crate::alerts::{EXAMPLE, LogAlerts, Rules, SENSOR, alerts};
 use homebody_core::time::{DAY, MINUTE, SECOND, Span};
 use homebody_log::{Event, Log};
 use std::collections::BTreeMap;
@@ -60,7 +60,7 @@ fn measured(log: &Log) -> (Measures, LogAlerts) {
         &DensityOptions::default(),
     )
     .unwrap();
-    let told = alerts(&measures, &Rules::read(USUAL).unwrap());
+    let told = alerts(&measures, &Rules::read(EXAMPLE).unwrap());
     (measures, told)
 }
 

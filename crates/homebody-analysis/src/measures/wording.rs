@@ -158,7 +158,8 @@ mod tests {
 
     #[test]
     fn days_are_worded_by_their_unit() {
-        let day = |name: &str, value, usual| DailyMeasure::named(name).unwrap().day_words(value, usual).unwrap_or_default();
+        let day =
+            |name: &str, value, usual| DailyMeasure::named(name).unwrap().day_words(value, usual).unwrap_or_default();
         assert_eq!(day("time_out", 0.0, None), "Did not go out");
         assert_eq!(
             day("meals", 1.0, Some((2.8, Some(false)))),

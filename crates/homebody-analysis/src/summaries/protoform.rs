@@ -102,7 +102,7 @@ fn covers(set: Set, (low, high): (f64, f64)) -> f64 {
     }
 }
 
-pub(super) fn change((_, summary): Topic, values: &[(Date, f64)], past: &[(Date, f64)]) -> Option<Protoform> {
+pub(super) fn change((measure, _): Topic, values: &[(Date, f64)], past: &[(Date, f64)]) -> Option<Protoform> {
     let count = past.len() as f64;
     let mean = past.iter().map(|(_, value)| value).sum::<f64>() / count;
     let square = past.iter().map(|(_, value)| (value - mean) * (value - mean)).sum::<f64>() / count;

@@ -4,7 +4,7 @@
 //! homes every fault of sensors.
 
 use crate::simulated::every_fault;
-use homebody_analysis::measures::Measures;
+use homebody_analysis::measures::{DayMeasures, MEASURES, Measures};
 use homebody_core::problem::Problems;
 use homebody_core::random::Stream;
 use homebody_core::resident::DriverFile;
@@ -12,11 +12,14 @@ use homebody_placement::people::{CONDITIONS, LoadedScenario, PeopleError};
 use homebody_placement::simulated::SimulatedLog;
 use homebody_routine::household::Household;
 use homebody_simulation::template;
-use serde::Serialize;
+use jiff::civil::Date;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// The templates of the homes in turn, and the pronoun of the first resident. One in five has two residents.
 const HOMES: [(&str, &str); 5] =
-    [("older-adult", "she"), ("tigerplace", "she"), ("couple-with-cat", "he"), ("house-two-floors", "she"), ("studio", "he")];
+    [("older-adult", "she"), ("tigerplace", "she"), (WITH_TWO, "he"), ("house-two-floors", "she"), ("studio", "he")];
+const WITH_TWO: &str = "couple-with-cat";
 
 const SEVERITIES: [&str; 3] = ["mild", "moderate", "severe"];
 
@@ -24,29 +27,58 @@ const SEVERITIES: [&str; 3] = ["mild", "moderate", "severe"];
 /// at the end nobody can be found.
 const BEFORE: u32 = 60;
 const AFTER: u32 = 60;
+/// Share of the people with a stay in hospital (our choice).
+const IN_HOSPITAL_PERCENT: u32 = 15;
 
 /// A condition of a watched person.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct DrawnCondition {
     pub name: &'static str,
     pub severity: &'static str,
     /// The day on which it begins, counted from 0.
-    pub onset: u32,
+    pub onset: usize,
     /// Days from then until its height.
-    pub grows_days: u32,
+    pub grows_days: usize,
 }
 
 /// A person whose home is watched.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct WatchedPerson {
     pub number: u32,
     pub home: &'static str,
     pub condition: Option<DrawnCondition>,
     pub has_faults: bool,
-    /// Dated sentences of the year, such as a holiday.
-    pub events: Vec<String>,
+    pub events: Vec<YearEvent>,
+    pronoun: &'static str,
     days: u32,
     seed: u64,
+}
+
+/// Some days that are not usual.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct YearEvent {
+    pub kind: YearEventKind,
+    /// The first day, counted from 0.
+    pub from: usize,
+    pub days: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum YearEventKind {
+    Away,
+    Guest,
+}
+
+impl WatchedPerson {
+    /// Somebody else is at home while the person is away.
+    pub fn has_company(&self) -> bool {
+        self.home == WITH_TWO
+    }
+
+    /// The day before which any news is false.
+    pub fn healthy_until(&self, days: usize) -> usize {
+        self.condition.as_ref().map_or(days, |condition| condition.onset)
+    }
 }
 
 impl WatchedPerson {
@@ -59,25 +91,27 @@ impl WatchedPerson {
         let [away_days, guest_days, hospital_days, chance] = [day(5, 15), day(2, 8), day(3, 9), day(0, 100)];
         let run_seed = (stream.unit() * (1_u64 << 53) as f64) as u64;
         let (home, pronoun) = HOMES[number as usize % HOMES.len()];
-        let her = if pronoun == "she" { "her" } else { "his" };
+        let away =
+            |from: u32, days: u32| YearEvent { kind: YearEventKind::Away, from: from as usize, days: days as usize };
         // Two that overlap would be one.
-        let far = |a: u32, b: u32| a.abs_diff(b) > 20;
-        let mut events = vec![format!("From day {}, for {away_days} days, {pronoun} is out.", holiday + 1)];
-        if far(guests, holiday) {
-            events.push(format!("From day {} {her} sister stays for {guest_days} days.", guests + 1));
+        let is_far = |a: u32, b: u32| a.abs_diff(b) > 20;
+        let mut events = vec![away(holiday, away_days)];
+        if is_far(guests, holiday) {
+            events.push(YearEvent { kind: YearEventKind::Guest, ..away(guests, guest_days) });
         }
-        if chance < 15 && far(hospital, holiday) && far(hospital, guests) {
-            events.push(format!("From day {}, for {hospital_days} days, {pronoun} is out.", hospital + 1));
+        if chance < IN_HOSPITAL_PERCENT && is_far(hospital, holiday) && is_far(hospital, guests) {
+            events.push(away(hospital, hospital_days));
         }
         let (name, grows_days) = CONDITIONS[number as usize / 2 % CONDITIONS.len()];
         let severity = SEVERITIES[number as usize / 2 / CONDITIONS.len() % SEVERITIES.len()];
-        let condition = DrawnCondition { name, severity, onset, grows_days: grows_days as u32 };
+        let condition = DrawnCondition { name, severity, onset: onset as usize, grows_days };
         WatchedPerson {
             number,
             home,
             condition: (number % 2 == 1).then_some(condition),
             has_faults: number / 16 % 2 == 1,
             events,
+            pronoun,
             days,
             seed: run_seed,
         }
@@ -101,8 +135,13 @@ impl WatchedPerson {
 
     pub fn scenario(&self) -> Result<LoadedScenario, Problems> {
         let template = template(self.home).expect("the homes are templates");
-        let pronoun = HOMES.iter().find(|(home, _)| *home == self.home).map_or("she", |(_, pronoun)| pronoun);
-        let mut sentences = self.events.clone();
+        let pronoun = self.pronoun;
+        let her = if pronoun == "she" { "her" } else { "his" };
+        let event = |YearEvent { kind, from, days }: &YearEvent| match kind {
+            YearEventKind::Away => format!("From day {}, for {days} days, {pronoun} is out.", from + 1),
+            YearEventKind::Guest => format!("From day {} {her} sister stays for {days} days.", from + 1),
+        };
+        let mut sentences: Vec<String> = self.events.iter().map(event).collect();
         sentences.extend(self.condition.as_ref().map(|condition| {
             let DrawnCondition { name, severity, onset, grows_days } = condition;
             let grows = if *grows_days > 0 { format!(", over {grows_days} days") } else { String::new() };
@@ -121,5 +160,49 @@ impl WatchedPerson {
         }
         let (scenario, household) = Household::load(&texts, &entry, &[])?;
         Ok(LoadedScenario { scenario, household })
+    }
+}
+
+/// A person with the measures of each day, as a file keeps them: the simulation need not be repeated.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct StoredPerson {
+    number: u32,
+    seed: u64,
+    days: Vec<StoredDay>,
+}
+
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct StoredDay {
+    date: Date,
+    is_whole: bool,
+    values: BTreeMap<String, f64>,
+}
+
+impl StoredPerson {
+    pub fn new(number: u32, seed: u64, measures: &Measures) -> StoredPerson {
+        let value = |(value, measure): (&Option<f64>, &homebody_analysis::measures::DailyMeasure)| {
+            Some((measure.name.to_owned(), (*value)?))
+        };
+        let day = |day: &DayMeasures| StoredDay {
+            date: day.date,
+            is_whole: day.is_whole,
+            values: day.values.iter().zip(MEASURES).filter_map(value).collect(),
+        };
+        StoredPerson { number, seed, days: measures.days.iter().map(day).collect() }
+    }
+
+    pub fn person(&self) -> WatchedPerson {
+        WatchedPerson::draw(self.number, (self.days.len() as u32, self.seed))
+    }
+
+    pub fn measures(&self) -> Measures {
+        let day = |day: &StoredDay| DayMeasures {
+            date: day.date,
+            is_whole: day.is_whole,
+            values: MEASURES.iter().map(|measure| day.values.get(measure.name).copied()).collect(),
+        };
+        Measures { measures: MEASURES, days: self.days.iter().map(day).collect(), ..Measures::default() }
     }
 }

@@ -1,93 +1,122 @@
 use super::evaluation::evaluate_each;
-use crate::alerting::people::WatchedPerson;
-use crate::alerting::{AlertCurve, AlertQuality, AlertsRow, MethodQuality, later, quality};
+use crate::alerting::people::{StoredPerson, WatchedPerson};
+use crate::alerting::protocol::{FoundRow, Judged, MethodResult, WITHIN, judge};
+use crate::alerting::{BEARABLE_PER_WEEK, fit_baselines, fit_patterns, later, methods};
 use crate::simulated::every_fault;
-use homebody::shared::{Failure, ResultOutput, TextTable, alert_rules, show};
-use homebody_analysis::alerts::Rules;
-use homebody_analysis::measures::{DayMeasures, Measures};
+use homebody::shared::{Failure, JsonOutput, TextTable, show, write_file};
+use homebody_analysis::measures::Measures;
 use homebody_core::link::form::LinkFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::sensors::Sensor;
-use homebody_picture::{TotalsLine, totals_chart};
+use homebody_log::LogError;
 use homebody_placement::adequacy::{Adequacy, Person, Watched, adequacy};
-use homebody_placement::people::{CONDITIONS, LoadedScenario, ONSET, People, PersonRun};
+use homebody_placement::people::{CONDITIONS, LoadedScenario, People, PersonRun};
 use homebody_simulation::template;
+use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-/// Measure how early alerts find conditions, and how often alerts are false
+/// Measure how early changes are found, and how often news of them is false
 ///
-/// Homebody simulates people with and without conditions in the apartment of the template `older-adult`, with the variation that
-/// exists between people. One in nine has no condition. Each of the others has one of the program's conditions from day 61 on,
-/// mild, moderate or severe in turn. Conditions build up over their known time: infections over days, depression over weeks. The
-/// alerts are those of `homebody alerts`, from the log alone.
+/// Homebody simulates people in five homes, one of them with two residents. Half of them get one of eight conditions, mild, moderate or
+/// severe, from a random day on. All have a holiday, most a guest, some a stay in hospital, and half of the homes have every sensor
+/// fault. News comes day by day, from the log alone. The table has the episodes of `homebody alerts` beside three simple methods, each
+/// with a threshold that was fitted on other people.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
-  homebody-lab alerts --people 200
-  homebody-lab alerts --people 36 --rules rules.json --json alerts.json
-  homebody-lab alerts --layouts --png curves.png
+  homebody-lab alerts --people 400 --seed 7
+  homebody-lab alerts --people 400 --save people.jsonl --json alerts.json
+  homebody-lab alerts --load people.jsonl
+  homebody-lab alerts --people 600 --seed 1 --fit
+  homebody-lab alerts --layouts --people 200 --days 120
 
-JSON has \"rows\", each with condition, rule, sensitivity, lead_days and false_alarms_per_week, with 95 %
-confidence intervals; and \"curves\", the same for alert rules with other thresholds, in standard deviations.")]
+--fit writes the patterns and thresholds that come with the program, from the root of its sources.")]
 pub struct AlertsLabArguments {
     /// Number of people
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(9..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 400, value_parser = clap::value_parser!(u32).range(9..=100_000))]
     people: u32,
     /// Days to simulate for each person
-    #[arg(long, value_name = "N", default_value_t = 120, value_parser = clap::value_parser!(u32).range(90..=3660))]
+    #[arg(long, value_name = "N", default_value_t = 365, value_parser = clap::value_parser!(u32).range(90..=3660))]
     days: u32,
     /// Seed of all random numbers
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 7)]
     seed: u64,
-    /// Also measure the delay with sensor faults, with one motion sensor per room, and without each sensor in turn
+    /// Also write the measures of all people to a file
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+    /// Take people from files of --save, instead of simulating; repeatable
+    #[arg(long, value_name = "FILE")]
+    load: Vec<PathBuf>,
+    /// Fit the patterns and the thresholds on these people
     #[arg(long)]
+    fit: bool,
+    /// Measure the delay with sensor faults, with one motion sensor per room, and without each sensor in turn, in the home of older-adult
+    #[arg(long, conflicts_with_all = ["fit", "save", "load"])]
     layouts: bool,
-    /// JSON file with alert rules, instead of the default rules
-    #[arg(long, value_name = "FILE")]
-    rules: Option<PathBuf>,
-    /// Write the measures of each person to a file, a JSON object a line
-    #[arg(long, value_name = "FILE")]
-    values: Option<PathBuf>,
     #[command(flatten)]
-    output: ResultOutput,
-}
-
-/// A person with the measures of each day.
-#[derive(Serialize)]
-struct PersonValues {
-    #[serde(flatten)]
-    person: WatchedPerson,
-    guesses: Vec<&'static str>,
-    days: Vec<(bool, DayMeasures)>,
+    output: JsonOutput,
 }
 
 const SCENARIO: &str = "older-adult";
+/// The files that `--fit` writes.
+const PATTERNS: &str = "crates/homebody-analysis/src/episodes/patterns.json";
+const BASELINES: &str = "crates/homebody-lab/src/alerting/baselines.json";
 
 /// The measures of a person: with all sensors, then with each of the other subsets.
 type OfLayouts = Vec<Measures>;
 
 impl AlertsLabArguments {
     pub fn run(self) -> Result<(), Failure> {
-        let output = self.output.check([""], &[])?;
-        if let Some(file) = &self.values {
-            let people: Vec<WatchedPerson> =
-                (0..self.people).map(|number| WatchedPerson::draw(number, (self.days, self.seed))).collect();
-            evaluate_each(&people, "scenarios", |person| person.scenario().map(drop))?;
-            let lines = evaluate_each(&people, "people", |person| {
-                let Measures { guesses, days, .. } = person.measures()?;
-                let days = days.into_iter().map(|day| (day.counts(), day)).collect();
-                let values = PersonValues { person: person.clone(), guesses, days };
-                Ok::<_, Failure>(serde_json::to_string(&values).unwrap_or_default() + "\n")
-            })?;
-            std::fs::write(file, lines.concat()).unwrap();
-            return Ok(());
+        let output = self.output.check(&[])?;
+        if self.layouts {
+            return output.write(&LayoutsExperiment { people: self.people, layouts: self.layouts()? }, []);
         }
-        let rules = alert_rules(self.rules.as_deref())?;
+        let people = self.judged()?;
+        if self.fit {
+            return self.write_fit(&people);
+        }
+        let methods: Vec<MethodResult> = methods().par_iter().map(|method| judge(&people, method)).collect();
+        let days = people.first().map_or(0, |one| one.measures.days.len());
+        output.write(&AlertsExperiment { people: people.len(), days, methods }, [])
+    }
+
+    /// The people with their measures, simulated or from files.
+    fn judged(&self) -> Result<Vec<Judged>, Failure> {
+        let stored = if self.load.is_empty() { self.simulated()? } else { loaded(&self.load)? };
+        if let Some(file) = &self.save {
+            let lines: Vec<String> = stored.iter().filter_map(|one| serde_json::to_string(one).ok()).collect();
+            write_file(file, (lines.join("\n") + "\n").as_bytes(), false)?;
+        }
+        Ok(stored.iter().map(Judged::stored).collect())
+    }
+
+    fn simulated(&self) -> Result<Vec<StoredPerson>, Failure> {
+        let people: Vec<WatchedPerson> =
+            (0..self.people).map(|number| WatchedPerson::draw(number, (self.days, self.seed))).collect();
+        // A problem of the last person would come late.
+        evaluate_each(&people, "scenarios", |person| person.scenario().map(drop))?;
+        evaluate_each(&people, "people", |person| {
+            Ok::<_, Failure>(StoredPerson::new(person.number, self.seed, &person.measures()?))
+        })
+    }
+
+    fn write_fit(&self, people: &[Judged]) -> Result<(), Failure> {
+        let by = format!("homebody-lab alerts --fit, {} people", people.len());
+        let patterns = fit_patterns(people, by);
+        let baselines = fit_baselines(people, BEARABLE_PER_WEEK);
+        let write = |file: &str, text: Result<String, serde_json::Error>| {
+            write_file(Path::new(file), (text.unwrap_or_default() + "\n").as_bytes(), true)
+        };
+        write(PATTERNS, serde_json::to_string_pretty(&patterns))?;
+        write(BASELINES, serde_json::to_string_pretty(&baselines))
+    }
+
+    fn layouts(&self) -> Result<Vec<SubsetQuality>, Failure> {
         let template = template(SCENARIO)?;
         let home = LoadedScenario { scenario: template.scenario().clone(), household: template.household().clone() };
         let people = People::new(&home, &CONDITIONS, self.people, (self.days, self.seed))?;
-        let layouts = if self.layouts { SensorSubset::all(&home.scenario) } else { vec![SensorSubset::AsItIs] };
+        let layouts = SensorSubset::all(&home.scenario);
         let measure = |person: &PersonRun| -> Result<OfLayouts, Failure> {
             let logged = person.simulate(&LinkFile::default())?;
             let heard = |layout: &SensorSubset| match layout {
@@ -119,12 +148,21 @@ impl AlertsLabArguments {
         let by = |layout: usize| -> Vec<Watched> {
             watched.iter().map(|(person, measures)| Watched { person, measures: &measures[layout] }).collect()
         };
-        let found = AlertsExperiment {
-            quality: quality(&by(0), &rules, self.days),
-            layouts: compare_subsets(&layouts, &by, &rules),
-        };
-        output.write(&found, [&|| curves(&found.quality.curves)])
+        Ok(compare_subsets(&layouts, &by))
     }
+}
+
+/// The people of files that `--save` wrote.
+fn loaded(files: &[PathBuf]) -> Result<Vec<StoredPerson>, Failure> {
+    let mut people = Vec::new();
+    for file in files {
+        let text = std::fs::read_to_string(file).map_err(|error| LogError::reading(file, error))?;
+        for line in text.lines() {
+            let one = serde_json::from_str(line);
+            people.push(one.map_err(|error| LogError::reading(file, std::io::Error::other(error)))?);
+        }
+    }
+    Ok(people)
 }
 
 enum SensorSubset {
@@ -176,15 +214,8 @@ struct SubsetQuality {
     later_95: [f64; 2],
 }
 
-fn compare_subsets<'a>(
-    layouts: &[SensorSubset],
-    by: &dyn Fn(usize) -> Vec<Watched<'a>>,
-    rules: &Rules,
-) -> Vec<SubsetQuality> {
-    if layouts.len() < 2 {
-        return Vec::new();
-    }
-    let of_each: Vec<Adequacy> = (0..layouts.len()).map(|layout| adequacy(&by(layout), rules)).collect();
+fn compare_subsets<'a>(layouts: &[SensorSubset], by: &dyn Fn(usize) -> Vec<Watched<'a>>) -> Vec<SubsetQuality> {
+    let of_each: Vec<Adequacy> = (0..layouts.len()).map(|layout| adequacy(&by(layout))).collect();
     let beside = |(layout, adequacy): (&SensorSubset, &Adequacy)| {
         let (later_days, later_95) = later(&of_each[0], adequacy);
         SubsetQuality { layout: layout.to_string(), adequacy: adequacy.clone(), later_days, later_95 }
@@ -192,84 +223,66 @@ fn compare_subsets<'a>(
     layouts.iter().zip(&of_each).map(beside).collect()
 }
 
-/// Largest drawn rate of false alarms.
-const DRAWN_PER_WEEK: f64 = 1.0;
-
-fn curves(curves: &[AlertCurve]) -> String {
-    let line = |curve: &AlertCurve| TotalsLine {
-        label: curve.condition.clone(),
-        points: (curve.points.iter().rev())
-            .map(|point| (point.false_alarms_per_week, point.sensitivity))
-            .filter(|(false_alarms, _)| *false_alarms <= DRAWN_PER_WEEK)
-            .collect(),
-    };
-    let lines: Vec<TotalsLine> = curves.iter().map(line).collect();
-    let axes = ["false alarms per person and week", "share found within 28 days"];
-    totals_chart("Found conditions and false alarms, by number of standard deviations", axes, &lines, None)
-}
-
 #[derive(Serialize)]
 struct AlertsExperiment {
-    #[serde(flatten)]
-    quality: AlertQuality,
-    /// With `--layouts` only.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    layouts: Vec<SubsetQuality>,
+    people: usize,
+    days: usize,
+    methods: Vec<MethodResult>,
 }
 
 impl fmt::Display for AlertsExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let AlertQuality { people, days, rows, false_alarms, .. } = &self.quality;
-        writeln!(f, "Alerts of {people} people over {days} days; conditions begin on day {}\n", ONSET + 1)?;
-        let table = TextTable::new(
-            "-24 condition|-26 rule|6 people|19 found (95 %)|7 chance|6 14 d|6 28 d|6 delay|11 lead, days",
-        );
+        writeln!(f, "News about {} people over {} days\n", self.people, self.days)?;
+        let table = TextTable::new("-20 method|9 threshold|23 false per week (95 %)|9 precision|5 AUPRC|9 condition");
         f.write_str(&table.heading())?;
-        for row in rows {
-            let AlertsRow { condition, rule, people, sensitivity, sensitivity_95: [low, high], within, .. } = row;
-            let after = |days: usize| within.iter().find(|(after, _)| *after == days).map_or(0.0, |(_, share)| *share);
-            let days = |days: Option<f64>| days.map_or("-".to_owned(), |days| format!("{days:.0}"));
-            let found = format!("{sensitivity:.2} ({low:.2}-{high:.2})");
-            let [chance, two, four] = [row.by_chance, after(14), after(28)].map(|share| format!("{share:.2}"));
-            let [delay, lead] = [row.delay_days.map(|[_, middle, _]| middle), row.lead_days].map(days);
-            let cells: [&dyn fmt::Display; 9] = [condition, rule, people, &found, &chance, &two, &four, &delay, &lead];
-            f.write_str(&table.row(&cells))?;
+        for MethodResult { method, threshold, false_per_week, false_95: [low, high], precision, area, .. } in
+            &self.methods
+        {
+            let per_week = format!("{false_per_week:.3} ({low:.3}-{high:.3})");
+            let cells = [format!("{threshold:.2}"), per_week, format!("{precision:.2}"), format!("{area:.2}")];
+            let [threshold, per_week, precision, area] = &cells;
+            f.write_str(&table.row(&[method, threshold, per_week, precision, area]))?;
         }
-        writeln!(f, "\n{:51} per person and week (95 %)", "false alarms")?;
-        for idle in false_alarms {
-            let [low, high] = idle.per_week_95;
-            writeln!(f, "{:51} {:.3} ({low:.3}-{high:.3})", idle.rule, idle.per_week)?;
-        }
-        writeln!(f, "\nControl charts by method, with at most one false alarm per person in five weeks\n")?;
-        let table = TextTable::new("-12 method|5 k|13 false/week|6 found|8 days");
-        f.write_str(&table.heading())?;
-        for MethodQuality { method, adequacy } in &self.quality.methods {
-            let [per_week, found, days] = adequacy_cells(adequacy);
-            f.write_str(&table.row(&[method, &adequacy.k_sd, &per_week, &found, &days]))?;
-        }
-        self.write_layouts(f)
-    }
-}
-
-impl AlertsExperiment {
-    fn write_layouts(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        if self.layouts.is_empty() {
-            return Ok(());
-        }
-        writeln!(f, "\nWith at most one false alarm per person in five weeks:\n")?;
-        let table = TextTable::new("-32 layout|5 k|13 false/week|6 found|8 days|22 later, days (95 %)");
-        f.write_str(&table.heading())?;
-        for SubsetQuality { layout, adequacy, later_days, later_95: [low, high] } in &self.layouts {
-            let [per_week, found, days] = adequacy_cells(adequacy);
-            let later = format!("{later_days:+.1} ({low:+.1} to {high:+.1})");
-            f.write_str(&table.row(&[layout, &adequacy.k_sd, &per_week, &found, &days, &later]))?;
+        for MethodResult { method, rows, .. } in &self.methods {
+            writeln!(f, "\n{method}: share found (95 %)\n")?;
+            let table = TextTable::new(
+                "-24 condition|-9 severity|6 people|17 7 days|17 14 days|17 28 days|14 days (quartiles)",
+            );
+            f.write_str(&table.heading())?;
+            rows.iter().try_for_each(|row| f.write_str(&found_row(&table, row)))?;
         }
         Ok(())
     }
 }
 
-/// False alarms a week, found people, and days until they are found.
-fn adequacy_cells(adequacy: &Adequacy) -> [String; 3] {
-    let Adequacy { false_alarms_per_week, found, days, .. } = adequacy;
-    [format!("{false_alarms_per_week:.2}"), format!("{found:.2}"), format!("{days:.1}")]
+fn found_row(table: &TextTable, FoundRow { condition, severity, people, within, days }: &FoundRow) -> String {
+    let share = |wanted: usize| {
+        let of = within.iter().find(|(days, ..)| *days == wanted);
+        of.map_or(String::new(), |(_, share, [low, high])| format!("{share:.2} ({low:.2}-{high:.2})"))
+    };
+    let [week, two, four] = WITHIN.map(share);
+    let days = days.map_or("-".to_owned(), |[low, middle, high]| format!("{middle:.0} ({low:.0}-{high:.0})"));
+    table.row(&[condition, severity, people, &week, &two, &four, &days])
+}
+
+#[derive(Serialize)]
+struct LayoutsExperiment {
+    people: u32,
+    layouts: Vec<SubsetQuality>,
+}
+
+impl fmt::Display for LayoutsExperiment {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "{} people, with at most one false episode per person in ten weeks:\n", self.people)?;
+        let table = TextTable::new("-32 layout|9 threshold|10 false/week|6 found|8 days|22 later, days (95 %)");
+        f.write_str(&table.heading())?;
+        for SubsetQuality { layout, adequacy, later_days, later_95: [low, high] } in &self.layouts {
+            let Adequacy { threshold, false_episodes_per_week, found, days, .. } = adequacy;
+            let cells = [format!("{false_episodes_per_week:.2}"), format!("{found:.2}"), format!("{days:.1}")];
+            let later = format!("{later_days:+.1} ({low:+.1} to {high:+.1})");
+            let [per_week, found, days] = &cells;
+            f.write_str(&table.row(&[layout, threshold, per_week, found, days, &later]))?;
+        }
+        Ok(())
+    }
 }

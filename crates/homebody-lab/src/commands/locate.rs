@@ -3,7 +3,6 @@ use crate::locating::{LocatingCase, SimulatedHome, case};
 use crate::simulated::every_fault;
 use homebody::shared::{Failure, JsonOutput, TextTable};
 use homebody_core::link::form::LinkFile;
-use homebody_core::scenario::load::Scenario;
 use homebody_routine::household::Household;
 use homebody_routine::routine::ResidentKind;
 use homebody_simulation::{OpenScenario, template};

@@ -11,7 +11,7 @@ use crate::wire::{
 use homebody_analysis::coverage;
 use homebody_analysis::parts::{PartsList, SensorLayout, SensorPart, beside};
 use homebody_core::home::resolved::ResolvedHome;
-use homebody_core::problem::{Diagnose, Diagnostic, readable};
+use homebody_core::problem::{Diagnostic, readable};
 use homebody_core::resident::Build;
 use homebody_core::sensors::products::Product;
 use homebody_picture::{installing, pdf};

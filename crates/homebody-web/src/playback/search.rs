@@ -5,7 +5,7 @@ use crate::dates::NumberedEpisode;
 use crate::messages::PageMessage;
 use crate::request_error::{not_found, unprocessable};
 use crate::wire::{DateView, Find, FoundView, HitView, PlaybackView};
-use homebody_analysis::episodes::Episode as ChangeEpisode;
+use homebody_analysis::episodes::ChangeEpisode;
 use homebody_core::activity::FALLEN;
 use homebody_core::time::{Interval, RunTime, SECOND};
 use homebody_log::source::TruthValue;

@@ -1,7 +1,7 @@
 //! The state of a resident, for carers.
 
 use homebody_analysis::care::{Care, CareDay, MeasureChart};
-use homebody_analysis::episodes::{DaysAway, Episode, Headline, ReferenceDays, WatchedDays};
+use homebody_analysis::episodes::{ChangeEpisode, DaysAway, Headline, ReferenceDays, WatchedDays};
 use homebody_analysis::summaries::SummarySentence;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -29,7 +29,7 @@ pub struct CareView {
     /// About the last two weeks.
     pub sentences: Vec<CareSentenceView>,
     /// The latest first.
-    pub episodes: Vec<Episode>,
+    pub episodes: Vec<ChangeEpisode>,
     pub charts: Vec<MeasureChart>,
 }
 
@@ -79,7 +79,7 @@ pub struct NoteView {
 #[serde(rename_all = "snake_case")]
 pub enum NoteSubject {
     Day,
-    Episode,
+    ChangeEpisode,
     /// A new reference begins on the day.
     Reference,
 }

@@ -98,7 +98,7 @@ impl AlertsArguments {
     }
 
     fn answer(&self, measures: &Measures, rules: Option<&Rules>) -> AlertsAnswer {
-        let options = WatchOptions { marked: &self.reference, threshold: None };
+        let options = WatchOptions { marked: &self.reference, ..WatchOptions::default() };
         AlertsAnswer { watched: watch(measures, options), rules: rules.map(|rules| alerts(measures, rules)) }
     }
 

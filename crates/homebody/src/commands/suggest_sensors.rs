@@ -16,7 +16,6 @@ use homebody_placement::search::{Goal, Layout, Reached, SearchStep};
 use indicatif::ProgressBar;
 use serde::Serialize;
 use std::fmt;
-use std::path::PathBuf;
 use std::sync::Mutex;
 
 homebody_core::messages! {

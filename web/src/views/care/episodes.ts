@@ -1,6 +1,6 @@
 // Episodes, the reference and the groups of measures, in words.
 
-import type { CareView, Course, Episode, HeadlineState, MeasureGroup, NoteView, ReferenceDays, SeenWith } from '../../wire';
+import type { CareView, Course, ChangeEpisode, HeadlineState, MeasureGroup, NoteView, ReferenceDays, SeenWith } from '../../wire';
 import { shifted, spanInWords, withYear } from './dates';
 import type { Subject } from './notes.svelte';
 
@@ -30,25 +30,25 @@ export function grouped<T>(all: readonly T[], groupOf: (one: T) => MeasureGroup 
   return groups.filter(({ of }) => of.length > 0);
 }
 
-export const noteOn = (episode: Episode): Subject => ({ day: episode.found, about: 'episode' });
+export const noteOn = (episode: ChangeEpisode): Subject => ({ day: episode.found, about: 'episode' });
 
 /** The episode of a day: from its first day until the days are as usual again. */
-export function episodeOn(care: Pick<CareView, 'episodes'>, day: string): Episode | undefined {
+export function episodeOn(care: Pick<CareView, 'episodes'>, day: string): ChangeEpisode | undefined {
   return care.episodes.find(({ since, over }) => since <= day && (over === null || day < over));
 }
 
 /** The last day of an episode within the log. */
-export function lastDay(care: Pick<CareView, 'days'>, { over }: Episode): string {
+export function lastDay(care: Pick<CareView, 'days'>, { over }: ChangeEpisode): string {
   return over === null ? (care.days.at(-1)?.day ?? '') : shifted(over, -1);
 }
 
 /** Open episodes first, then those that were dealt with, then those that are over; each in the order of the list. */
-export function inOrder(episodes: readonly Episode[], isDealtWith: (episode: Episode) => boolean): Episode[] {
-  const rank = (episode: Episode) => (episode.over !== null ? 2 : isDealtWith(episode) ? 1 : 0);
+export function inOrder(episodes: readonly ChangeEpisode[], isDealtWith: (episode: ChangeEpisode) => boolean): ChangeEpisode[] {
+  const rank = (episode: ChangeEpisode) => (episode.over !== null ? 2 : isDealtWith(episode) ? 1 : 0);
   return [0, 1, 2].flatMap((of) => episodes.filter((episode) => rank(episode) === of));
 }
 
-export function courseInWords({ course, over }: Pick<Episode, 'course' | 'over'>): string {
+export function courseInWords({ course, over }: Pick<ChangeEpisode, 'course' | 'over'>): string {
   return over === null ? COURSES[course] : `over since ${withYear(over)}`;
 }
 
