@@ -43,7 +43,7 @@ pub use registry::MEASURES;
 pub use rooms::{Purpose, SensorRooms};
 pub use timeline::{MeasureTimeline, RoomStay, SensorPassage, TimedWalk};
 pub use truth_timeline::TruthDetails;
-pub use values::{DayMeasures, Measures, NoteComparison, SilentSensor};
+pub use values::{DayMeasures, Measures, NoteComparison, NotedDay, NotedMeasure, SilentSensor};
 pub use ways::{HomeKnowledge, Ways};
 pub(crate) use wording::Earlier;
 
@@ -73,7 +73,7 @@ impl Measures {
             ..Measures::default()
         };
         if let Some(recorded) = recorded {
-            measures.compare_with_notes(&log.activities, recorded);
+            measures.use_notes(&log.activities, recorded);
         }
         Ok(measures)
     }

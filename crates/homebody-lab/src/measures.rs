@@ -1,5 +1,6 @@
 use crate::locating::SimulatedHome;
 use homebody_analysis::measures::{MEASURES, Measures, Ways};
+use homebody_core::sensors::kinds::SensorFile;
 use homebody_placement::simulated::{SimulatedLog, SimulatedLogError};
 use homebody_walk::Mesh;
 use serde::Serialize;
@@ -61,10 +62,29 @@ impl MeasureError {
     }
 }
 
+/// The errors of a log, by all sensors of the home and without those in beds.
+pub struct MeasuresCase {
+    pub all: Vec<MeasureError>,
+    pub without_bed: Vec<MeasureError>,
+}
+
 /// Simulates a home of one resident for so many days, and compares the measures of its log with the true ones.
-pub fn case(home: &SimulatedHome, seed: u64, days: u32) -> Result<Vec<MeasureError>, SimulatedLogError> {
+pub fn case(home: &SimulatedHome, seed: u64, days: u32) -> Result<MeasuresCase, SimulatedLogError> {
     let log = SimulatedLog::simulate(home.scenario, home.drivers, seed, days)?.with_ways(ways(home));
-    Ok(errors_between(&log.measures()?, &log.true_measures()))
+    let lived = log.true_measures();
+    let all = errors_between(&log.measures()?, &lived);
+    let beds: Vec<&str> = beds(home).collect();
+    let without_bed = match beds.is_empty() {
+        true => all.clone(),
+        false => errors_between(&log.measures_by(&|sensor| !beds.contains(&sensor))?, &lived),
+    };
+    Ok(MeasuresCase { all, without_bed })
+}
+
+/// The names of the sensors in beds.
+fn beds<'a>(home: &'a SimulatedHome) -> impl Iterator<Item = &'a str> {
+    let sensors = home.scenario.home.sensors.iter();
+    sensors.filter(|sensor| matches!(sensor, SensorFile::Bed(_))).map(SensorFile::name)
 }
 
 pub fn errors_between(heard: &Measures, lived: &Measures) -> Vec<MeasureError> {

@@ -15,10 +15,14 @@ use homebody_timeline::Episode;
 /// choice).
 const LIES_STILL: Span = MINUTE.times(20);
 const SLEEPS: Span = MINUTE.times(5);
+/// Shortest silence of a person at rest in the bedroom. Rest before and after a time in bed belongs to it (our choice).
+const RESTS: Span = MINUTE.times(5);
 /// Time out of the bedroom at night that still has a stay in bed before and after it, and time from going to bed to
 /// falling asleep (our choice).
 const UP_AT_NIGHT: Span = MINUTE.times(30);
 const FALLS_ASLEEP: Span = MINUTE.times(40);
+/// The part of the time out of the bedroom at night that may be in other rooms than the bathroom (our choice): a cook is not in bed.
+const UP_ELSEWHERE: Span = MINUTE.times(5);
 /// Time after a long silence within which leaving the bedroom counts as getting up (our choice).
 const WAKES: Span = MINUTE.times(30);
 /// Time between firings in bed that separates two bouts (our choice).
@@ -27,6 +31,9 @@ const BOUT: Span = SECOND.times(30);
 const GLIMPSE: Span = SECOND.times(5);
 /// Time within which several firings, and the next one of another room, count as one glimpse (our choice).
 const SEEN_PASSING: Span = SECOND.times(10);
+/// Shortest time between a stray firing and the firings before and after it, and most stray firings in a row (our choice).
+const STRAY_APART: Span = MINUTE.times(5);
+const MOST_STRAYS: usize = 3;
 /// Longest time between firings of a shower's own sensor in one shower, and shortest shower (our choice).
 const SHOWER_APART: Span = MINUTE.times(3);
 const SHOWER_LASTS: Span = MINUTE.times(3);
@@ -116,8 +123,7 @@ impl MeasureTimeline {
             lain.sort();
         } else {
             self.guesses_nights = !sees_bedroom;
-            let of_bedroom = self.stays.iter().filter(|stay| self.rooms.purpose(stay.label) == Purpose::Bedroom);
-            lain = nights(&of_bedroom.copied().collect::<Vec<RoomStay>>(), &in_bedroom);
+            lain = self.nights(&in_bedroom);
         }
         let lain = joined(lain, Span::ZERO);
         let (mut asleep, mut stirs) = (Vec::new(), Vec::new());
@@ -140,6 +146,34 @@ impl MeasureTimeline {
         self.asleep = (sees_bedroom && hold < SLEEPS).then_some(asleep);
         self.stirs = (sees_bedroom && hold <= BOUT).then_some(stirs);
         self.hides_stirs = sees_bedroom && hold > BOUT;
+    }
+
+    /// The times in bed, by the stays in the bedroom with silences. Stays with short times out of the bedroom between them belong together,
+    /// and are in bed if one of them has a long silence. A person who is back from the bathroom at night lies down at once, until they go
+    /// again. A person who comes to bed lies down at once, unless it takes them too long to rest.
+    fn nights(&self, signs: &[&RoomSign]) -> Vec<Interval<WallTime>> {
+        let mut nights: Vec<Vec<Rest>> = Vec::new();
+        let mut elsewhere = Span::ZERO;
+        for stay in &self.stays {
+            let purpose = self.rooms.purpose(stay.label);
+            let rest = Rest::in_stay(stay.time, signs).filter(|_| purpose == Purpose::Bedroom);
+            let Some(rest) = rest else {
+                let is_elsewhere = matches!(purpose, Purpose::Kitchen | Purpose::Other);
+                elsewhere += if is_elsewhere { stay.length() } else { Span::ZERO };
+                continue;
+            };
+            let last = nights.last_mut().filter(|_| elsewhere <= UP_ELSEWHERE);
+            match last.filter(|night| night.last().is_some_and(|last| rest.stay.begin - last.stay.end <= UP_AT_NIGHT)) {
+                Some(night) => night.push(rest),
+                None => nights.push(vec![rest]),
+            }
+            elsewhere = Span::ZERO;
+        }
+        let lain = nights.iter().filter(|night| night.iter().any(|rest| rest.lies)).flat_map(|night| {
+            let last = night.len() - 1;
+            night.iter().enumerate().map(move |(number, rest)| rest.in_bed(number == 0, number == last))
+        });
+        lain.collect()
     }
 
     fn wash_and_eat(&mut self, heard: &LogExcerpt, signs: &[RoomSign]) {
@@ -198,10 +232,36 @@ fn is_named(name: &str, as_one_of: &[&str]) -> bool {
     words(name).iter().any(|word| as_one_of.contains(&word.as_str()))
 }
 
+/// The signs without stray ones: a few signs of other rooms between two of one room, each far from the signs before and after it. A person
+/// who goes from room to room and back gives signs on the way.
+fn without_strays(signs: &[RoomSign]) -> Vec<RoomSign> {
+    let mut kept: Vec<RoomSign> = Vec::with_capacity(signs.len());
+    let mut index = 0;
+    while let Some(sign) = signs.get(index) {
+        if let Some(before) = kept.last().filter(|before| before.room != sign.room) {
+            let is_far = |pair: &[RoomSign]| pair[1].at - pair[0].at >= STRAY_APART;
+            let strays = signs[index - 1..].windows(2).take(MOST_STRAYS + 1).take_while(|pair| is_far(pair)).count();
+            let back = (1..=strays.min(MOST_STRAYS)).find(|count| {
+                let next = signs.get(index + count);
+                next.is_some_and(|next| next.room == before.room) && *count < strays
+            });
+            let all_seen = |count: usize| signs[index..index + count].iter().all(|sign| sign.is_seen);
+            if let Some(count) = back.filter(|count| all_seen(*count)) {
+                index += count;
+                continue;
+            }
+        }
+        kept.push(*sign);
+        index += 1;
+    }
+    kept
+}
+
 /// A person is in the room of the last sign until there is a sign of another room, or until they leave. A single sign of a room is a
 /// glimpse of a person who passes: a moment of its own between two other rooms, and nothing within one. A single sign of a sensor that
 /// stays on is a stay, unless the next sign comes soon.
 fn stays(signs: &[RoomSign], away: &[Interval<WallTime>], last: WallTime) -> Vec<RoomStay> {
+    let signs = without_strays(signs);
     let rooms: Vec<&[RoomSign]> = signs.chunk_by(|a, b| a.room == b.room).collect();
     let mut stays: Vec<RoomStay> = Vec::new();
     for (index, of_room) in rooms.iter().enumerate() {
@@ -251,36 +311,30 @@ fn within<'a>(signs: &'a [&'a RoomSign], span: Interval<WallTime>) -> &'a [&'a R
     &signs[before.begin..before.end.max(before.begin)]
 }
 
-/// The times in bed, by the stays in the bedroom that have a long silence. A person back from the bathroom at night lies down at once,
-/// until they go again. A person who comes to bed lies down at once, unless it takes them too long to be still.
-fn nights(stays: &[RoomStay], signs: &[&RoomSign]) -> Vec<Interval<WallTime>> {
-    let mut lain: Vec<Interval<WallTime>> = Vec::new();
-    let mut until: Option<WallTime> = None;
-    for stay in stays {
-        let Some(Interval { begin, end }) = still(stay, signs) else { continue };
-        let end = if stay.end() - end <= WAKES { stay.end() } else { end };
-        let was_up_for = until.map(|until| stay.begin() - until);
-        match lain.last_mut() {
-            Some(last) if was_up_for.is_some_and(|up| up <= UP_AT_NIGHT) => {
-                last.end = until.unwrap_or(last.end);
-                lain.push(Interval::new(stay.begin(), end));
-            }
-            _ => {
-                let begin = if begin - stay.begin() <= FALLS_ASLEEP { stay.begin() } else { begin };
-                lain.push(Interval::new(begin, end));
-            }
-        }
-        until = Some(stay.end());
-    }
-    lain
+/// A stay in the bedroom with rest.
+struct Rest {
+    stay: Interval<WallTime>,
+    /// From the first to the last silence of at least [`RESTS`].
+    rest: Interval<WallTime>,
+    /// One of the silences lasts for at least [`LIES_STILL`].
+    lies: bool,
 }
 
-/// From the first to the last long silence of a stay, if there is one.
-fn still(stay: &RoomStay, signs: &[&RoomSign]) -> Option<Interval<WallTime>> {
-    let of = within(signs, stay.time);
-    let times: Vec<WallTime> = of.iter().map(|sign| sign.at).chain([stay.end()]).collect();
-    let is_long = |pair: &&[WallTime]| pair[1] - pair[0] >= LIES_STILL;
-    let mut long = times.windows(2).filter(is_long);
-    let first = long.next()?;
-    Some(Interval::new(first[0], long.next_back().unwrap_or(first)[1]))
+impl Rest {
+    /// The time in bed, of the first or the last stay of a night or of one in between.
+    fn in_bed(&self, is_first: bool, is_last: bool) -> Interval<WallTime> {
+        let Rest { stay, rest, .. } = *self;
+        let lies_at_once = !is_first || rest.begin - stay.begin <= FALLS_ASLEEP;
+        let lies_on = !is_last || stay.end - rest.end <= WAKES;
+        Interval::new(if lies_at_once { stay.begin } else { rest.begin }, if lies_on { stay.end } else { rest.end })
+    }
+
+    fn in_stay(stay: Interval<WallTime>, signs: &[&RoomSign]) -> Option<Rest> {
+        let times: Vec<WallTime> = within(signs, stay).iter().map(|sign| sign.at).chain([stay.end]).collect();
+        let silences = || times.windows(2).map(|pair| Interval::new(pair[0], pair[1]));
+        let mut resting = silences().filter(|silence| silence.length() >= RESTS);
+        let first = resting.next()?;
+        let rest = first.hull(resting.next_back().unwrap_or(first));
+        Some(Rest { stay, rest, lies: silences().any(|silence| silence.length() >= LIES_STILL) })
+    }
 }

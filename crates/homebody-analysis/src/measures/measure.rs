@@ -98,7 +98,11 @@ pub enum NoteMeaning {
     Shower,
     Bathroom,
     Bed,
+    /// A meal by its name.
     Meal,
+    /// Food that may be a meal or a bite.
+    Eats,
+    Cooks,
     /// A time out; only its beginning if other notes mean coming home.
     Leaves,
     Comes,

@@ -12,7 +12,7 @@ pub static MEASURES: &[DailyMeasure] = &[
         name: "time_in_bed",
         unit: HOURS,
         title: "Time in bed",
-        definition: "Hours in bed in the night: from going to bed to getting up, without the time in other rooms. Taken from the bed sensor. Without one, taken from stays in the bedroom with 20 min or more without events",
+        definition: "Hours in bed in the night: from going to bed to getting up, without the time in other rooms. Taken from the bed sensor. Without one, taken from stays in the bedroom with a silence of 5 min or more, if one of the stays of the night has a silence of 20 min or more",
         source: "Rantz et al. 2015, time in bed; the rule for motion sensors is our choice",
         more: "more time in bed",
         less: "less time in bed",

@@ -123,6 +123,50 @@ fn sensors_that_stay_on_hide_no_stays() {
     assert!(held.guesses.contains(&"bathroom_day") && !plain.guesses.contains(&"bathroom_day"));
 }
 
+/// The log with more signs on each day, by their minutes and sensors.
+fn with_more(log: &Log, days: i64, more: &[(i64, u32)]) -> Log {
+    let mut log = log.clone();
+    for day in 0..days {
+        log.events.extend(more.iter().map(|&(minute, sensor)| Event { at: at(day, minute), sensor, value: 0 }));
+    }
+    log.events.sort_by_key(|event| event.at);
+    log
+}
+
+#[test]
+fn a_restless_part_of_the_night_is_still_in_bed() {
+    let log = log_of(12, &|_, _, _| true);
+    // No silence lasts for 20 minutes from going to bed until the way to the bathroom.
+    let restless: Vec<(i64, u32)> = (0..20).map(|turn| (10 * turn, BEDROOM)).collect();
+    let until_midnight = (139..144).map(|turn| (10 * turn, BEDROOM));
+    let restless = with_more(&log, 12, &restless.into_iter().chain(until_midnight).collect::<Vec<_>>());
+    let [plain, restless] = [&log, &restless].map(|log| measured(log).0);
+    for name in ["time_in_bed", "bedtime", "rising", "bathroom_night", "bathroom_day"] {
+        assert_eq!(values(&restless, name)[2..11], values(&plain, name)[2..11], "{name}");
+    }
+}
+
+#[test]
+fn stray_signs_of_other_rooms_end_no_night() {
+    let log = with_more(&log_of(12, &|_, _, _| true), 12, &[(199, BEDROOM)]);
+    let strays = with_more(&log, 12, &[(60, KITCHEN), (100, LIVING), (300, LIVING)]);
+    let [plain, strays] = [&log, &strays].map(|log| measured(log).0);
+    for name in ["time_in_bed", "bedtime", "rising", "bathroom_night", "bathroom_day", "room_changes"] {
+        assert_eq!(values(&strays, name)[2..11], values(&plain, name)[2..11], "{name}");
+    }
+}
+
+#[test]
+fn an_evening_in_the_bedroom_with_a_way_to_the_kitchen_is_no_night() {
+    let log = log_of(12, &|_, minute, _| !(1200..1375).contains(&minute));
+    // The resident rests there from eight, cooks at nine, and goes to bed at eleven.
+    let rests = (120..126).chain(128..137).map(|turn| (10 * turn, BEDROOM));
+    let cooks = (1266..1274).map(|minute| (minute, KITCHEN));
+    let evening = with_more(&log, 12, &rests.chain(cooks).collect::<Vec<_>>());
+    let bedtimes = values(&measured(&evening).0, "bedtime");
+    assert!(bedtimes[2..11].iter().flatten().all(|bedtime| *bedtime > 21.2), "{bedtimes:?}");
+}
+
 #[test]
 fn measures_without_a_sensor_are_unknown() {
     let all = log_of(5, &|_, _, _| true);

@@ -64,10 +64,10 @@ pub struct MeasureTimeline {
 }
 
 /// Longest gap within one night in bed (our choice).
-const OUT_OF_BED: Span = MINUTE.times(90);
+pub(super) const OUT_OF_BED: Span = MINUTE.times(90);
 
 /// Duration below which a night is a nap (our choice).
-const LEAST_NIGHT: Span = HOUR.times(2);
+pub(super) const LEAST_NIGHT: Span = HOUR.times(2);
 
 impl MeasureTimeline {
     pub fn days(&self) -> usize {

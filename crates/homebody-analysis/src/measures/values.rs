@@ -24,9 +24,9 @@ pub struct Measures {
     /// Differences between measures by the sensors and by the log's notes of activities, if it has any.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub noted: Vec<NoteComparison>,
-    /// The names of measures that are taken from the log's notes until a sensor gives them.
+    /// The measures that the log's notes give, with the days on which they do.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub from_notes: Vec<&'static str>,
+    pub from_notes: Vec<NotedMeasure>,
     /// The rooms of sensors by id, if only the words of the ids name them.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub guessed_rooms: BTreeMap<String, String>,
@@ -74,11 +74,26 @@ pub struct NoteComparison {
     pub by_sensors: f64,
     /// The average difference of the two on a day.
     pub apart: f64,
+    pub by_day: Vec<NotedDay>,
+}
+
+/// The values of a day on which both are known.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NotedDay {
+    pub date: Date,
+    pub by_notes: f64,
+    pub by_sensors: f64,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NotedMeasure {
+    pub measure: &'static str,
+    pub days: Vec<Date>,
 }
 
 impl fmt::Display for NoteComparison {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let NoteComparison { measure, unit, days, by_notes, by_sensors, apart } = self;
+        let NoteComparison { measure, unit, days, by_notes, by_sensors, apart, .. } = self;
         let days = counted(*days, "day", "days");
         write!(
             f,

@@ -1,9 +1,10 @@
 use super::locate::{single_home, with_and_without_faults};
-use crate::measures::{MeasureError, case, errors_between};
+use crate::measures::{MeasureError, MeasuresCase, case, errors_between};
 use crate::messages::ExperimentMessage;
 use homebody::shared::{Failure, JsonOutput, LogOptions, TextTable, not_measurable, read_log, within};
 use homebody_analysis::measures::Measures;
 use homebody_query::LoadedLog;
+use homebody_simulation::ScenarioSource;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -11,7 +12,8 @@ use std::path::PathBuf;
 /// Measure the accuracy of the command homebody measures
 ///
 /// Homebody compares the measures from logs with those from the ground truth. The homes cycle through the templates that have one
-/// resident, each with its own seed. Each home has two logs: one without losses, and one with every sensor fault.
+/// resident, each with its own seed. Each home has two logs: one without losses, and one with every sensor fault. The log without losses
+/// is measured a second time without the sensors in beds.
 ///
 /// With --data, it compares the measures from sensors of real homes with the activities that their logs note.
 #[derive(clap::Args)]
@@ -29,6 +31,9 @@ pub struct MeasuresLabArguments {
     /// Log of a real home with activities, instead of simulated homes; repeatable
     #[arg(long, value_name = "LOG", conflicts_with_all = ["homes", "days"])]
     data: Vec<String>,
+    /// Scenario with the home of the logs, for the rooms of their sensors
+    #[arg(long, value_name = "SCENARIO", requires = "data")]
+    home: Option<PathBuf>,
     #[command(flatten)]
     output: JsonOutput,
 }
@@ -50,6 +55,8 @@ struct MeasuresExperiment {
     /// Over all homes, with a perfect link.
     clean: Vec<MeasureError>,
     faults: Vec<MeasureError>,
+    /// With a perfect link, and without the sensors in beds.
+    without_bed: Vec<MeasureError>,
 }
 
 impl MeasuresLabArguments {
@@ -59,11 +66,17 @@ impl MeasuresLabArguments {
         }
         let output = self.output.check(&[])?;
         let cases = with_and_without_faults(self.homes, self.days, single_home, case)?;
-        let all = |faults: bool| {
+        let over = |faults: bool, errors: fn(&MeasuresCase) -> &Vec<MeasureError>| {
             let same = cases.iter().filter(|(with_faults, _)| *with_faults == faults);
-            MeasureError::over_homes(same.flat_map(|(_, case)| case).collect::<Vec<_>>().into_iter())
+            MeasureError::over_homes(same.flat_map(|(_, case)| errors(case)).collect::<Vec<_>>().into_iter())
         };
-        output.write(&MeasuresExperiment { days: self.days, clean: all(false), faults: all(true) }, [])
+        let experiment = MeasuresExperiment {
+            days: self.days,
+            clean: over(false, |case| &case.all),
+            faults: over(true, |case| &case.all),
+            without_bed: over(false, |case| &case.without_bed),
+        };
+        output.write(&experiment, [])
     }
 }
 
@@ -73,6 +86,12 @@ impl MeasuresLabArguments {
         let mut read = self.data.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let sources: Vec<PathBuf> = read.iter().flat_map(|read| read.sources.clone()).collect();
         let output = self.output.check(&sources)?;
+        if let Some(home) = &self.home {
+            let home = ScenarioSource::at(home)?.scenario()?;
+            read.iter_mut().for_each(|read| {
+                read.place_in(&home);
+            });
+        }
         let of_log = |(log, read): (&String, &mut LoadedLog)| {
             // A measure by the notes alone cannot be compared with the notes.
             let notes = std::mem::take(&mut read.log.activities);
@@ -100,8 +119,13 @@ fn write_errors(f: &mut fmt::Formatter, errors: &[MeasureError]) -> fmt::Result 
 impl fmt::Display for MeasuresExperiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "Measures of {} days from logs, compared with the ground truth\n", self.days)?;
-        for (link, errors) in [("no losses", &self.clean), ("every sensor fault", &self.faults)] {
-            writeln!(f, "With {link}")?;
+        let links = [
+            ("With no losses", &self.clean),
+            ("With every sensor fault", &self.faults),
+            ("With no losses, and without sensors in beds", &self.without_bed),
+        ];
+        for (link, errors) in links {
+            writeln!(f, "{link}")?;
             write_errors(f, errors)?;
         }
         Ok(())
