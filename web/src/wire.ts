@@ -449,7 +449,7 @@ export type PlaybackContent = "lived" | "walked_back" | "sensors" | "no_home";
 
 export type CareDay = { day: string, known: DayKnowledge, 
 /**
- * The measures for carers; none on a day that does not count, and none that is a guess.
+ * The measures; none on a day that does not count.
  */
 told: Array<MeasureWords>, };
 
@@ -460,6 +460,12 @@ export type MeasureWords = { measure: string,
  * In words, such as `Slept for 7.2 hours, as usual`.
  */
 words: string, beside: BesideUsual, };
+
+export type CareSentenceView = { words: string, 
+/**
+ * The number of days, and the result.
+ */
+numbers: string, measure: string, days: Array<string>, };
 
 export type BesideUsual = "more" | "less" | "as_usual" | "not_known";
 
@@ -494,6 +500,10 @@ since: string,
  * The day after whose end it was found.
  */
 found: string, 
+/**
+ * The days after whose end it was known to have become worse.
+ */
+worse: string[], 
 /**
  * The first day that was as usual again; `None` while it lasts.
  */
@@ -540,12 +550,6 @@ words: string,
 numbers: string, };
 
 export type SeenWith = { condition: string, likelihood_ratio: number, };
-
-export type CareSentenceView = { words: string, 
-/**
- * The number of days, and the result.
- */
-numbers: string, measure: string, days: Array<string>, };
 
 export type MeasureChart = { measure: string, title: string, group: MeasureGroup, unit: ValueForm, 
 /**

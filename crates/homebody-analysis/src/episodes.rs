@@ -23,7 +23,7 @@ use homebody_core::statistics::mean;
 use jiff::civil::Date;
 use reference::GrowingReference;
 use serde::Serialize;
-use signs::{LAST_DAYS, WatchedColumns, signs};
+use signs::{WatchedColumns, signs};
 use std::fmt;
 
 pub use detector::Distances;
@@ -40,7 +40,9 @@ const MOST_DISTANCE_SD: f64 = 3.5;
 const LEAST_RATIO: f64 = 2.0;
 const NEAR_EVIDENCE: f64 = 1.0;
 /// Difference of the evidence of a day at which an episode grows or eases (our choice).
-const COURSE_EVIDENCE: f64 = 1.0;
+const COURSE_EVIDENCE: f64 = 1.5;
+/// Days of which the evidence is compared for a course (our choice).
+const COURSE_DAYS: usize = 14;
 
 /// How the days of a log differ from the reference.
 #[derive(Clone, Debug, Serialize)]
@@ -112,7 +114,7 @@ pub enum NewsKind {
     Over,
 }
 
-/// How strong the signs are by now, beside their strongest week.
+/// How strong the signs are by now, beside their strongest weeks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "wire", derive(ts_rs::TS))]
@@ -382,7 +384,7 @@ impl DayWatcher<'_> {
         news
     }
 
-    /// The evidence of the last week beside that of the first and the strongest week.
+    /// The evidence of the last two weeks beside that of the first and the strongest two.
     fn course(&self, found: &FoundEpisode, until: usize) -> Course {
         if found.over.is_some() {
             return Course::Over;
@@ -393,7 +395,7 @@ impl DayWatcher<'_> {
             .filter(|day| day.iter().any(Option::is_some))
             .map(|day| pattern.evidence(day, 1.0))
             .collect();
-        let weeks: Vec<f64> = known.windows(LAST_DAYS).filter_map(mean).collect();
+        let weeks: Vec<f64> = known.rchunks(COURSE_DAYS).rev().filter_map(mean).collect();
         let (Some(last), Some(first)) = (weeks.last(), weeks.first()) else { return Course::Steady };
         let most = weeks.iter().copied().fold(f64::MIN, f64::max);
         match () {

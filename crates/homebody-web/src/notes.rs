@@ -35,7 +35,38 @@ pub struct Notes {
 #[derive(Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct NotesFile {
-    notes: Vec<NoteView>,
+    notes: Vec<StoredNote>,
+}
+
+/// A note of the file. In files of earlier versions, a note about an alert has the name of its rule.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StoredNote {
+    day: String,
+    #[serde(default, skip_serializing)]
+    rule: String,
+    about: Option<NoteSubject>,
+    seen: bool,
+    note: String,
+    #[serde(default)]
+    who: String,
+    #[serde(default)]
+    at: String,
+}
+
+impl From<StoredNote> for NoteView {
+    fn from(stored: StoredNote) -> NoteView {
+        let StoredNote { day, rule, about, seen, note, who, at } = stored;
+        let words = if rule.is_empty() { note } else { format!("{rule}: {note}") };
+        // No episode has the day of an alert, so the day keeps the note.
+        NoteView { day, about: about.unwrap_or(NoteSubject::Day), seen, note: words, who, at }
+    }
+}
+
+impl From<NoteView> for StoredNote {
+    fn from(NoteView { day, about, seen, note, who, at }: NoteView) -> StoredNote {
+        StoredNote { day, rule: String::new(), about: Some(about), seen, note, who, at }
+    }
 }
 
 impl Notes {
@@ -110,17 +141,21 @@ fn read(place: &Path) -> Result<Vec<NoteView>, RequestError> {
     };
     let text = plain::read_text(place, LARGEST_BYTES).map_err(|error| wrong(&error))?;
     let file: NotesFile = serde_json::from_str(&text).map_err(|error| wrong(&error))?;
-    Ok(file.notes)
+    Ok(file.notes.into_iter().map(NoteView::from).collect())
 }
 
 fn write(place: &Path, notes: &[NoteView]) -> Result<(), RequestError> {
-    let text = serde_json::to_string_pretty(&NotesFile { notes: notes.to_vec() }).map_err(failed)? + "\n";
+    let text =
+        serde_json::to_string_pretty(&NotesFile { notes: notes.iter().cloned().map(StoredNote::from).collect() })
+            .map_err(failed)?
+            + "\n";
     let written = FreshFile::write_whole(place, text.as_bytes(), true);
     written.map_err(|error| unprocessable(PageMessage::NotWritten { file: NOTES.into(), why: error.to_string() }))
 }
 
 #[cfg(test)]
 mod tests {
+    use super::NoteSubject::{Day, Episode, Reference};
     use super::*;
     use homebody_log::run::places::RECORDING;
     use std::fs;
@@ -135,22 +170,30 @@ mod tests {
         (folder, Notes::new(folders))
     }
 
-    fn of(day: &str, rule: &str, seen: bool, note: &str) -> NoteView {
-        NoteView { day: day.into(), rule: rule.into(), seen, note: note.into() }
+    fn of(day: &str, about: NoteSubject, seen: bool, note: &str) -> NoteView {
+        NoteView { day: day.into(), about, seen, note: note.into(), who: "Ada's son".into(), at: String::new() }
+    }
+
+    /// The notes without the times at which they were stored.
+    fn timeless(notes: Result<Vec<NoteView>, RequestError>) -> Vec<NoteView> {
+        let notes = notes.unwrap();
+        assert!(notes.iter().all(|note| note.at.len() == "2009-03-02T14:05".len()), "{notes:?}");
+        notes.into_iter().map(|note| NoteView { at: String::new(), ..note }).collect()
     }
 
     #[test]
     fn stores_changes_and_removes_notes() {
         let (folder, notes) = notes();
         assert_eq!(notes.all("a-1"), Ok(Vec::new()));
-        let (cold, sleep) = (of("2009-03-02", "", false, "a cold"), of("2009-03-01", "sleep", true, ""));
+        let (cold, sleep) = (of("2009-03-02", Day, false, "a cold"), of("2009-03-01", Episode, true, ""));
         notes.note("a-1", NoteChange { before: None, note: cold.clone() }).unwrap();
         let both = notes.note("a-1", NoteChange { before: None, note: sleep.clone() }).unwrap();
-        assert_eq!(both, [sleep.clone(), cold.clone()]);
+        assert_eq!(timeless(Ok(both.clone())), [sleep.clone(), cold.clone()]);
         // Another server reads the same notes.
-        assert_eq!(Notes::new(notes.folders.clone()).all("a-1"), Ok(both));
-        let nothing = of("2009-03-01", "sleep", false, "");
-        assert_eq!(notes.note("a-1", NoteChange { before: Some(sleep), note: nothing }), Ok(vec![cold]));
+        assert_eq!(Notes::new(notes.folders.clone()).all("a-1"), Ok(both.clone()));
+        let nothing = of("2009-03-01", Episode, false, "");
+        let before = Some(both[0].clone());
+        assert_eq!(timeless(notes.note("a-1", NoteChange { before, note: nothing })), [cold]);
         let left: Vec<_> = fs::read_dir(folder.path().join("runs/a-1")).unwrap().collect();
         assert_eq!(left.len(), 2, "the recording and the notes: {left:?}");
     }
@@ -158,27 +201,47 @@ mod tests {
     #[test]
     fn keeps_notes_that_the_page_has_not_seen() {
         let (_folder, notes) = notes();
-        let first = of("2009-03-02", "sleep", true, "she had a cold");
+        let first = of("2009-03-02", Episode, true, "she had a cold");
         notes.note("a-1", NoteChange { before: None, note: first.clone() }).unwrap();
-        let unseen = NoteChange { before: None, note: of("2009-03-02", "sleep", true, "") };
+        let unseen = NoteChange { before: None, note: of("2009-03-02", Episode, true, "") };
         assert!(matches!(notes.note("a-1", unseen), Err(RequestError { status: StatusCode::CONFLICT, .. })));
-        assert_eq!(notes.all("a-1"), Ok(vec![first.clone()]));
+        assert_eq!(timeless(notes.all("a-1")), [first.clone()]);
         // The same note again changes nothing.
-        assert_eq!(notes.note("a-1", NoteChange { before: None, note: first.clone() }), Ok(vec![first]));
+        assert_eq!(timeless(notes.note("a-1", NoteChange { before: None, note: first.clone() })), [first]);
+    }
+
+    #[test]
+    fn keeps_the_notes_of_earlier_versions() {
+        let (folder, notes) = notes();
+        let old = r#"{ "notes": [{ "day": "2009-03-02", "rule": "sleep", "seen": true, "note": "a cold" }] }"#;
+        fs::write(folder.path().join("runs/a-1").join(NOTES), old).unwrap();
+        let read = notes.all("a-1").unwrap();
+        assert_eq!((&read[0].note[..], read[0].about, read[0].seen), ("sleep: a cold", Day, true));
+    }
+
+    #[test]
+    fn a_mark_of_a_reference_counts_until_it_is_taken_back() {
+        let (_folder, notes) = notes();
+        let mark = NoteView { note: String::new(), ..of("2009-04-20", Reference, true, "") };
+        let marked = notes.note("a-1", NoteChange { before: None, note: mark }).unwrap();
+        assert_eq!(notes.references("a-1"), Ok(vec![jiff::civil::date(2009, 4, 20)]));
+        let back = NoteView { seen: false, ..marked[0].clone() };
+        notes.note("a-1", NoteChange { before: Some(marked[0].clone()), note: back }).unwrap();
+        assert_eq!(notes.references("a-1"), Ok(Vec::new()));
     }
 
     #[test]
     fn rejects_invalid_notes_and_keeps_an_invalid_file() {
         let (folder, notes) = notes();
         let refused = |note: NoteView| notes.note("a-1", NoteChange { before: None, note }).is_err();
-        assert!(refused(of("yesterday", "", true, "")) && refused(of("2009-03-02", "", true, &"ä".repeat(501))));
-        assert!(!refused(of("2009-03-02", "", true, &"ä".repeat(500))));
+        assert!(refused(of("yesterday", Day, true, "")) && refused(of("2009-03-02", Day, true, &"ä".repeat(501))));
+        assert!(!refused(of("2009-03-02", Day, true, &"ä".repeat(500))));
         for run in ["b-1", "..", "a-1/..", ""] {
             assert!(matches!(notes.all(run), Err(RequestError { status: StatusCode::NOT_FOUND, .. })), "{run}");
         }
         let file = folder.path().join("runs/a-1").join(NOTES);
         fs::write(&file, "[broken").unwrap();
-        assert!(notes.all("a-1").is_err() && refused(of("2009-03-03", "", true, "")));
+        assert!(notes.all("a-1").is_err() && refused(of("2009-03-03", Day, true, "")));
         assert_eq!(fs::read_to_string(file).unwrap(), "[broken");
     }
 
@@ -190,7 +253,7 @@ mod tests {
         fs::write(&other, r#"{ "notes": [] }"#).unwrap();
         std::os::unix::fs::symlink(&other, folder.path().join("runs/a-1").join(NOTES)).unwrap();
         assert!(notes.all("a-1").is_err());
-        assert!(notes.note("a-1", NoteChange { before: None, note: of("2009-03-03", "", true, "") }).is_err());
+        assert!(notes.note("a-1", NoteChange { before: None, note: of("2009-03-03", Day, true, "") }).is_err());
         assert_eq!(fs::read_to_string(other).unwrap(), r#"{ "notes": [] }"#);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::detector::Distances;
 use super::reference::Usual;
-use crate::measures::{DailyMeasure, DayMeasures, MEASURES};
+use crate::measures::{DailyMeasure, DayMeasures, MEASURES, MeasureGroup};
 use homebody_core::statistics::mean;
 use jiff::civil::Date;
 use serde::Serialize;
@@ -50,6 +50,8 @@ pub(super) fn signs(watched: &WatchedColumns, during: Range<usize>) -> Vec<Sign>
     let mut signs: Vec<(f64, Sign)> = MEASURES
         .iter()
         .enumerate()
+        // Those are of many days in a row, so they lag behind the others.
+        .filter(|(_, measure)| measure.group != MeasureGroup::Rhythm)
         .filter_map(|(number, measure)| sign(watched, during.clone(), number, measure))
         .collect();
     signs.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -70,7 +72,6 @@ fn subject(name: &'static str) -> &'static str {
         "outings" => "time_out",
         "visits" => "company",
         "time_in_bed" => "sleep",
-        "intradaily_variability" | "interdaily_stability" => "density_distance",
         name => name,
     }
 }

@@ -9,13 +9,11 @@ use super::protocol::{Judged, rate};
 use homebody_analysis::episodes::{
     ConditionPattern, Distances, PatternMeasure, Patterns, WatchOptions, distances, named_conditions,
 };
-use homebody_analysis::measures::MEASURES;
+use homebody_analysis::measures::{MEASURES, MeasureGroup};
 use homebody_core::statistics::mean;
 use homebody_placement::people::CONDITIONS;
 use std::ops::Range;
 
-/// Measures of several days in a row: each of those would count many times.
-const OF_MANY_DAYS: [&str; 3] = ["density_distance", "interdaily_stability", "intradaily_variability"];
 /// Days at the height of a condition that give its shifts (our choice).
 const AT_HEIGHT: usize = 28;
 /// Variance that is added to each measure (our choice): shifts are not known exactly.
@@ -137,10 +135,11 @@ fn covariance(people: &[(&WatchedPerson, Vec<Distances>)]) -> Vec<Vec<f64>> {
     (0..count).map(|a| (0..count).map(|b| of(a, b)).collect()).collect()
 }
 
-/// A pattern with the weights of its measures. A weight against the measure's own shift is left out.
+/// A pattern with the weights of its measures. A weight against the measure's own shift is left out, and so are measures of many days in a
+/// row, which would count each day many times.
 fn with_weights(name: &str, shifts: &[f64], covariance: &[Vec<f64>]) -> ConditionPattern {
     let used: Vec<usize> = (0..MEASURES.len())
-        .filter(|&measure| covariance[measure][measure] > 0.0 && !OF_MANY_DAYS.contains(&MEASURES[measure].name))
+        .filter(|&measure| covariance[measure][measure] > 0.0 && MEASURES[measure].group != MeasureGroup::Rhythm)
         .collect();
     let size = used.len();
     let matrix =

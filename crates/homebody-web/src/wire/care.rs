@@ -79,7 +79,7 @@ pub struct NoteView {
 #[serde(rename_all = "snake_case")]
 pub enum NoteSubject {
     Day,
-    ChangeEpisode,
+    Episode,
     /// A new reference begins on the day.
     Reference,
 }

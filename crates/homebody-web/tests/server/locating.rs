@@ -234,7 +234,8 @@ fn notes_are_in_the_folder_of_their_run_and_visible_to_others() {
     served.send("POST", "/api/walk/day.csv", &log);
     let walked = served.walked()["run"].as_str().unwrap().to_owned();
     let runs = served.folder.path().join("runs");
-    let note = |day: &str, note: &str| serde_json::json!({ "day": day, "rule": "sleep", "seen": true, "note": note });
+    let note =
+        |day: &str, note: &str| serde_json::json!({ "day": day, "about": "episode", "seen": true, "note": note });
     let post = |run: &str, body: &Value| {
         let (address, token, body) = (served.address, &served.token, body.to_string());
         let path = format!("/api/runs/{}/notes", run.replace('/', "%2F"));

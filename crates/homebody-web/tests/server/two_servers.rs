@@ -43,7 +43,8 @@ fn add_words(served: &Served, page: usize) -> Vec<String> {
 /// Adds notes to days of its own; returns the days that were accepted.
 fn add_notes(served: &Served, page: usize) -> Vec<String> {
     let day = |number: usize| format!("2025-{:02}-{:02}", 1 + page, 1 + number);
-    let note = |day: &String| json!({ "before": null, "note": { "day": day, "rule": "", "seen": true, "note": "x" } });
+    let note =
+        |day: &String| json!({ "before": null, "note": { "day": day, "about": "day", "seen": true, "note": "x" } });
     let is_accepted =
         |day: &String| answer(served, "POST", "/api/homes/studio/runs/studio-1/notes", &note(day)).0 == 200;
     (0..SAVES).map(day).filter(is_accepted).collect()
