@@ -55,7 +55,7 @@ pub struct MeasureWords {
     pub beside: BesideUsual,
 }
 
-/// A value of a day beside the usual one.
+/// A value of a day, compared with the usual one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "wire", derive(ts_rs::TS))]

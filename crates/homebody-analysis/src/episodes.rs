@@ -1,4 +1,4 @@
-//! Episodes: times in which the days of a resident differ from a reference.
+//! Episodes: the days of a resident differ from a reference for some time.
 //!
 //! The reference is the first four weeks that count, or four weeks from a marked day on, so that a slow change does not become usual.
 //! Days are taken one after the other, and no decision uses a later day. Several measures that change together are the signs of one
@@ -7,6 +7,7 @@
 //! A day does not count if it is not whole, or if the resident was out for most of it. A measure is not known while a sensor is silent
 //! that it needs.
 
+mod change;
 mod detector;
 mod headline;
 mod patterns;
@@ -15,9 +16,8 @@ mod signs;
 mod wording;
 
 use crate::measures::{DayMeasures, MEASURES, Measures, SilentSensor};
-use crate::phrases::{in_full, listed, write_remarks};
+use crate::phrases::{in_full, write_remarks};
 use detector::{Leading, Sum, Sums, beyond, mean_distances};
-use homebody_core::names::capitalised;
 use homebody_core::problem::counted;
 use homebody_core::statistics::mean;
 use jiff::civil::Date;
@@ -26,9 +26,9 @@ use serde::Serialize;
 use signs::{WatchedColumns, signs};
 use std::fmt;
 
-pub use detector::Distances;
+pub use change::{ChangeEpisode, Course, DaysAway, SeenWith};
 pub use headline::{Headline, HeadlineState};
-pub use patterns::{ConditionPattern, PatternMeasure, Patterns};
+pub use patterns::{ConditionPattern, Distances, PatternMeasure, Patterns};
 pub use reference::{LEAST_DAYS, REFERENCE_DAYS, ReferenceDays, Usual};
 pub use signs::Sign;
 
@@ -36,12 +36,12 @@ pub use signs::Sign;
 const OVER: f64 = 4.0;
 /// Largest distance of a measure of a day that counts, in standard deviations (our choice): a single measure does not decide.
 const MOST_DISTANCE_SD: f64 = 3.5;
-/// Least likelihood ratio with which a condition is named, and by how much its evidence may be below the most (our choice).
+/// Least likelihood ratio of a named condition, and largest distance of its evidence from the highest (our choice).
 const LEAST_RATIO: f64 = 2.0;
 const NEAR_EVIDENCE: f64 = 1.0;
 /// Difference of the evidence of a day at which an episode grows or eases (our choice).
 const COURSE_EVIDENCE: f64 = 1.5;
-/// Days of which the evidence is compared for a course (our choice).
+/// Number of days whose evidence gives the course (our choice).
 const COURSE_DAYS: usize = 14;
 
 /// How the days of a log differ from the reference.
@@ -54,9 +54,9 @@ pub struct WatchedDays {
     pub headline: Headline,
     /// `None` before the first day that counts.
     pub reference: Option<ReferenceDays>,
-    /// In the order in which they were found.
+    /// The earliest found first.
     pub episodes: Vec<ChangeEpisode>,
-    /// What was found day by day, by the days until then alone.
+    /// News by day. The news of a day follows from the days until then.
     pub news: Vec<EpisodeNews>,
     pub absences: Vec<DaysAway>,
     /// Sensors that are silent, in sentences.
@@ -65,31 +65,6 @@ pub struct WatchedDays {
     /// By day, the usual values of all measures on it.
     #[serde(skip)]
     pub usual: Vec<Vec<Option<Usual>>>,
-}
-
-/// Signs that moved together.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
-pub struct ChangeEpisode {
-    /// The estimated first day.
-    #[cfg_attr(feature = "wire", ts(type = "string"))]
-    pub since: Date,
-    /// The day after whose end it was found.
-    #[cfg_attr(feature = "wire", ts(type = "string"))]
-    pub found: Date,
-    /// The days after whose end it was known to have become worse.
-    #[cfg_attr(feature = "wire", ts(type = "string[]"))]
-    pub worse: Vec<Date>,
-    /// The first day that was as usual again; `None` while it lasts.
-    #[cfg_attr(feature = "wire", ts(type = "string | null"))]
-    pub over: Option<Date>,
-    pub course: Course,
-    /// The strongest first.
-    pub signs: Vec<Sign>,
-    /// Conditions that make such signs in simulated lives, the likeliest first.
-    pub seen_with: Vec<SeenWith>,
-    /// The signs in a sentence, without a full stop.
-    pub words: String,
 }
 
 /// An episode is found, is worse, or is over.
@@ -114,39 +89,10 @@ pub enum NewsKind {
     Over,
 }
 
-/// How strong the signs are by now, beside their strongest weeks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
-pub enum Course {
-    Growing,
-    Steady,
-    Easing,
-    Over,
-}
-
-/// A condition that makes such signs.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
-pub struct SeenWith {
-    pub condition: String,
-    pub likelihood_ratio: f64,
-}
-
-/// Whole days on which nobody was at home for most of the day.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "wire", derive(ts_rs::TS))]
-pub struct DaysAway {
-    #[cfg_attr(feature = "wire", ts(type = "string"))]
-    pub from: Date,
-    #[cfg_attr(feature = "wire", ts(type = "string"))]
-    pub to: Date,
-}
-
-/// What somebody decides about the days.
+/// Choices of the user.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct WatchOptions<'a> {
-    /// Days from which on a new reference counts, such as the return from a hospital.
+    /// First days of new references, such as the return from a hospital.
     pub marked: &'a [Date],
     /// The evidence at which an episode is found, if not that of the patterns.
     pub threshold: Option<f64>,
@@ -359,7 +305,7 @@ impl DayWatcher<'_> {
         }
     }
 
-    /// What was found day by day, by what was known on each day.
+    /// News by day, from the days until then.
     fn news(&self, days: &[DayMeasures]) -> Vec<EpisodeNews> {
         let watched = WatchedColumns { days, distances: &self.distances, usual: &self.usual };
         let mut news = Vec::new();
@@ -384,7 +330,7 @@ impl DayWatcher<'_> {
         news
     }
 
-    /// The evidence of the last two weeks beside that of the first and the strongest two.
+    /// Compares the evidence of the last two weeks with that of the first and of the strongest two.
     fn course(&self, found: &FoundEpisode, until: usize) -> Course {
         if found.over.is_some() {
             return Course::Over;
@@ -425,7 +371,7 @@ impl DayWatcher<'_> {
     }
 }
 
-/// Runs of days on which nobody was at home for most of the day.
+/// Runs of days on which the home was empty for most of the day.
 fn absences(days: &[DayMeasures]) -> Vec<DaysAway> {
     let away = |day: &DayMeasures| day.is_whole && !day.counts();
     let runs = days.chunk_by(|a, b| away(a) == away(b)).filter(|run| away(&run[0]));
@@ -454,49 +400,8 @@ impl fmt::Display for WatchedDays {
     }
 }
 
-/// What reports about a resident say at their end.
+/// The end of reports about a resident.
 pub const NOT_A_DEVICE: &str = "For research: this is not a medical device, and no diagnosis.";
-
-impl DaysAway {
-    pub fn words(&self) -> String {
-        match self.from == self.to {
-            true => format!("Away on {}", in_full(self.from)),
-            false => format!("Away from {} to {}", in_full(self.from), in_full(self.to)),
-        }
-    }
-}
-
-impl fmt::Display for ChangeEpisode {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(f, "{}. Found on {}, {}.", self.words, in_full(self.found), self.course.words())?;
-        for sign in &self.signs {
-            let direction = if sign.numbers.is_empty() { String::new() } else { format!(": {}", sign.numbers) };
-            writeln!(f, "  {}{direction} ({} days show it)", capitalised(&sign.words), sign.shown_by.len())?;
-        }
-        if !self.seen_with.is_empty() {
-            let with: Vec<String> = self.seen_with.iter().map(SeenWith::to_string).collect();
-            writeln!(f, "  Seen with {} in simulated lives. Ask.", listed(&with))?;
-        }
-        Ok(())
-    }
-}
-
-impl fmt::Display for SeenWith {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{} (likelihood ratio {:.1})", self.condition.replace('-', " "), self.likelihood_ratio)
-    }
-}
-
-impl Course {
-    fn words(self) -> &'static str {
-        match self {
-            Course::Growing => "still growing",
-            Course::Steady => "still so",
-            Course::Easing => "easing",
-            Course::Over => "over",
-        }
-    }
-}
 
 #[cfg(test)]
 mod tests;

@@ -48,7 +48,7 @@ pub mod measures;
 
 mod phrases;
 
-/// Times in which days differ from a reference.
+/// Episodes: days differ from a reference for some time.
 pub mod episodes;
 
 /// Alerts by rules of the user's own.

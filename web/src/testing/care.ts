@@ -86,6 +86,7 @@ export function madeUpEpisode(since: number, found: number, over: number | null,
   const date = (day: string) => new Date(`${day}T00:00:00Z`).toLocaleDateString('en-GB', { day: 'numeric', month: 'long', timeZone: 'UTC' });
   return {
     since: dateOf(since),
+    worse: [],
     found: dateOf(found),
     over: over === null ? null : dateOf(over),
     course: over === null ? 'growing' : 'over',

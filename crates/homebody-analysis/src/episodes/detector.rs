@@ -3,11 +3,8 @@
 //! A pattern says by how many standard deviations each measure of a day shifts, and how much each standard deviation weighs. The sum
 //! of a pattern grows on days that fit it better than usual days or days with a harmless change, and is never below 0.
 
-use super::patterns::Patterns;
+use super::patterns::{Distances, Patterns};
 use homebody_core::statistics::mean;
-
-/// The distances of a day's measures from the usual ones, in standard deviations, by measure.
-pub type Distances = Vec<Option<f64>>;
 
 /// Shares of a pattern's shifts that have a sum each (our choice): a change that begins, a mild one and a moderate one.
 const SHARES: [f64; 3] = [0.3, 0.6, 1.0];
@@ -74,7 +71,7 @@ impl Sums {
 }
 
 impl Patterns {
-    /// The evidence of a day for each condition, beside usual days and harmless changes.
+    /// The evidence of a day for each condition, against usual days and harmless changes.
     pub(super) fn evidence(&self, distances: &Distances) -> DayEvidence {
         let harmless = self.harmless.iter().map(|pattern| pattern.evidence(distances, 1.0)).fold(0.0, f64::max);
         let limited = |evidence: f64| (evidence - harmless).clamp(-MOST_OF_A_DAY, MOST_OF_A_DAY);

@@ -1,14 +1,15 @@
 //! One sentence about the state of a resident.
 
+use super::change::{ChangeEpisode, DaysAway};
 use super::reference::{LEAST_DAYS, REFERENCE_DAYS, ReferenceDays};
-use super::{ChangeEpisode, DaysAway, wording};
+use super::wording;
 use crate::measures::{DayMeasures, Measures};
 use crate::phrases::in_full;
 use homebody_core::problem::counted;
 use jiff::civil::Date;
 use serde::Serialize;
 
-/// Days after its finding for which an episode needs a look (our choice).
+/// Age in days at which an episode is no longer new (our choice).
 const NEW_DAYS: i32 = 7;
 /// Days without a whole day after which nothing is known of the present (our choice).
 const OLD_DAYS: usize = 3;

@@ -1,9 +1,11 @@
-//! The changes of measures that conditions make in simulated lives, as `homebody-lab alerts --fit` writes them.
+//! The changes of measures that conditions make in simulated people: `homebody-lab alerts --fit` writes them.
 
-use super::detector::Distances;
 use crate::measures::MEASURES;
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
+
+/// The distances of a day's measures from the usual ones, in standard deviations, by measure.
+pub type Distances = Vec<Option<f64>>;
 
 /// Patterns that were fitted on simulated people. None of those is among the people of the table of accuracy.
 const FITTED: &str = include_str!("patterns.json");
@@ -15,7 +17,7 @@ pub struct Patterns {
     /// The evidence at which an episode is found, or has become worse.
     pub threshold: f64,
     pub conditions: Vec<ConditionPattern>,
-    /// Changes that are no sign of illness, such as a guest.
+    /// Changes without an illness, such as a guest.
     pub harmless: Vec<ConditionPattern>,
 }
 

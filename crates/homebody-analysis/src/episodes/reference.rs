@@ -1,4 +1,4 @@
-//! The reference of a resident: the first days that count, with which later days are compared.
+//! The reference of a resident: the first days that count. Later days are compared with them.
 
 use crate::measures::{DayMeasures, MEASURES};
 use homebody_core::statistics::{mean, quantile};
@@ -9,7 +9,7 @@ use serde::Serialize;
 pub const REFERENCE_DAYS: usize = 28;
 /// Days of the shortest reference (our choice): each weekday once.
 pub const LEAST_DAYS: usize = 7;
-/// Number of days on a weekday with which half of its own difference counts (our choice).
+/// Number of days on a weekday at which half of their own difference counts (our choice).
 const WEEKDAY_DAYS: f64 = 6.0;
 /// Share of the days at either end that say nothing of the middle and the spread, and the distance between the ends of the others
 /// in standard deviations of a normal distribution.

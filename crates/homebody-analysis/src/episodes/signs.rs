@@ -1,6 +1,6 @@
 //! The signs of an episode: measures that moved, with the days that show it.
 
-use super::detector::Distances;
+use super::patterns::Distances;
 use super::reference::Usual;
 use crate::measures::{DailyMeasure, DayMeasures, MEASURES, MeasureGroup};
 use homebody_core::statistics::mean;
@@ -13,7 +13,7 @@ const LEAST_SHIFT_SD: f64 = 0.7;
 const LEAST_SURE_SE: f64 = 3.0;
 /// Smallest distance of a day that shows a sign, in standard deviations (our choice).
 const SHOWS_SD: f64 = 1.0;
-/// Days of which a sign has the mean value: the last week of the episode.
+/// Number of the last days of an episode that give the value of a sign.
 pub const LAST_DAYS: usize = 7;
 /// Largest number of signs (our choice): people read no more.
 const MOST_SIGNS: usize = 8;

@@ -42,7 +42,7 @@ pub struct DailyMeasure {
     /// The coarser measure of the same thing. A report for carers has the coarser one if the finer has no value at all.
     #[serde(skip)]
     pub instead_of: Option<&'static str>,
-    /// The least standard deviation of usual values (our choice): smaller differences do not count.
+    /// The least standard deviation of usual values: smaller differences do not count.
     #[serde(skip)]
     pub least_sd: f64,
     /// The place in summaries, if these have the measure.

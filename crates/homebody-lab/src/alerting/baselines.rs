@@ -1,4 +1,4 @@
-//! Simple methods, beside which episodes are judged.
+//! Simple methods, for a comparison with episodes.
 
 use super::protocol::{Judged, JudgedMethod, NewsDays, rate};
 use homebody_analysis::episodes::{Patterns, WatchOptions, distances, found_days};
@@ -7,7 +7,7 @@ use homebody_core::random::Stream;
 use homebody_core::statistics::{mean, sd};
 use serde::{Deserialize, Serialize};
 
-/// Days after news in which an alarm is no news (our choice).
+/// Number of days after news until the next alarm is news (our choice).
 const QUIET_DAYS: usize = 7;
 /// Days of the mean of the first method, and least number of them that count.
 const TWO_WEEKS: usize = 14;
@@ -163,7 +163,7 @@ fn mean_path(count: usize) -> f64 {
 
 const EULER: f64 = 0.577_215_664_901_532_9;
 
-/// The anomaly of each day beside the first four weeks. A measure that is not known counts as usual.
+/// The anomaly of each day against the first four weeks. A measure that is not known counts as usual.
 fn isolation_forest(one: &Judged) -> Vec<Option<f64>> {
     let days = &one.measures.days;
     let rows: Vec<Option<Vec<f64>>> = distances(&one.measures)

@@ -23,8 +23,8 @@ const WITH_TWO: &str = "couple-with-cat";
 
 const SEVERITIES: [&str; 3] = ["mild", "moderate", "severe"];
 
-/// Days before the first, and after the last possible day on which a condition begins (our choice): at first nobody has a usual level, and
-/// at the end nobody can be found.
+/// Days before the first, and after the last possible day on which a condition begins (our choice): at first no person has a reference, and
+/// at the end no person can be found.
 const BEFORE: u32 = 60;
 const AFTER: u32 = 60;
 /// Share of the people with a stay in hospital (our choice).

@@ -10,7 +10,7 @@ use homebody_core::statistics::quantile;
 use homebody_placement::adequacy::{FIRST, FalseEpisodes, Z};
 use serde::Serialize;
 
-/// Days after the onset for which the share of found people is given.
+/// Numbers of days after the onset until people count as found.
 pub const WITHIN: [usize; 3] = [7, 14, 28];
 /// Share of people whose condition begins in a month, for the precision.
 const MONTHLY: f64 = 0.05;
@@ -114,7 +114,7 @@ fn share_within(delays: &[(usize, Option<usize>)], days: usize) -> f64 {
     found as f64 / delays.len().max(1) as f64
 }
 
-/// The precision at the usual frequency of conditions: true news of a month beside false ones.
+/// The precision at the usual frequency of conditions: the share of the true news among all of a month.
 fn precision(found: f64, false_per_week: f64) -> f64 {
     let by_mistake = 1.0 - (-false_per_week * MONTH / 7.0).exp();
     let (right, wrong) = (MONTHLY * found, (1.0 - MONTHLY) * by_mistake);

@@ -21,8 +21,8 @@ use std::path::{Path, PathBuf};
 ///
 /// Homebody simulates people in five homes, one of them with two residents. Half of them get one of eight conditions, mild, moderate or
 /// severe, from a random day on. All have a holiday, most a guest, some a stay in hospital, and half of the homes have every sensor
-/// fault. News comes day by day, from the log alone. The table has the episodes of `homebody alerts` beside three simple methods, each
-/// with a threshold that was fitted on other people.
+/// fault. News comes day by day, from the log alone. The table compares the episodes of `homebody alerts` with three simple
+/// methods. The threshold of each was fitted on other people.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody-lab alerts --people 400 --seed 7

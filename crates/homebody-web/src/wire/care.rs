@@ -15,7 +15,7 @@ pub struct CareView {
     /// The last day that counts, as `2009-03-02`.
     pub day: Option<String>,
     pub headline: Headline,
-    /// The days with which others are compared; null before the first day that counts.
+    /// The reference days; null before the first day that counts.
     pub reference: Option<ReferenceDays>,
     pub remarks: Vec<String>,
     /// Sensors that are silent, in sentences.
@@ -24,7 +24,7 @@ pub struct CareView {
     pub walks: PlaybackContent,
     /// In order.
     pub days: Vec<CareDay>,
-    /// Days on which nobody was at home for most of the day.
+    /// Days on which the home was empty for most of the day.
     pub absences: Vec<DaysAway>,
     /// About the last two weeks.
     pub sentences: Vec<CareSentenceView>,

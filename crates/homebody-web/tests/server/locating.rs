@@ -234,8 +234,7 @@ fn notes_are_in_the_folder_of_their_run_and_visible_to_others() {
     served.send("POST", "/api/walk/day.csv", &log);
     let walked = served.walked()["run"].as_str().unwrap().to_owned();
     let runs = served.folder.path().join("runs");
-    let note =
-        |day: &str, note: &str| serde_json::json!({ "day": day, "about": "episode", "seen": true, "note": note });
+    let note = |day: &str, note: &str| serde_json::json!({ "day": day, "about": "episode", "seen": true, "note": note, "who": "" });
     let post = |run: &str, body: &Value| {
         let (address, token, body) = (served.address, &served.token, body.to_string());
         let path = format!("/api/runs/{}/notes", run.replace('/', "%2F"));
@@ -250,8 +249,10 @@ fn notes_are_in_the_folder_of_their_run_and_visible_to_others() {
         let cold = serde_json::json!({ "before": null, "note": note("2009-03-02", "a cold") });
         assert_eq!(post(of, &cold).code, 200);
         assert!(runs.join(&place).join("care-notes.json").is_file(), "{place}");
-        let kept: Value =
+        let mut kept: Value =
             serde_json::from_slice(&served.api(&format!("/api/runs/{}/notes", of.replace('/', "%2F"))).body).unwrap();
+        let stored = kept[0].as_object_mut().unwrap();
+        assert!(stored.remove("at").is_some_and(|at| at.as_str().is_some_and(|at| at.contains('T'))));
         assert_eq!(kept, serde_json::json!([note("2009-03-02", "a cold")]));
         // A note is not replaced by a page that has not read it.
         let unseen = serde_json::json!({ "before": null, "note": note("2009-03-02", "") });

@@ -37,7 +37,7 @@ homebody_core::messages! {
 /// Homebody compares each day with a reference: the first four weeks that count, or four weeks from a day that --reference names.
 /// Measures that change together are the signs of one episode. It has a beginning, and an end once the days are as usual again.
 /// Days away and incomplete days do not count, nor do measures that need a silent sensor. Conditions that make such signs in
-/// simulated lives are named with their likelihood ratios. This is for research. It is not a medical device and no diagnosis.
+/// simulated people are named with their likelihood ratios. This is for research. It is not a medical device and no diagnosis.
 ///
 /// --rules adds the alerts of rules of your own.
 #[derive(clap::Args)]
@@ -59,7 +59,7 @@ pub struct AlertsArguments {
     /// JSON file with alert rules of your own
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
-    /// Follow the log as it grows, and print each change as it is found until you stop the program
+    /// Follow the log as it grows, and print each new change until you stop the program
     #[arg(long)]
     follow: bool,
     /// Seconds between two reads of the log with --follow
