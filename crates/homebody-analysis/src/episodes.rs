@@ -23,7 +23,7 @@ use homebody_core::statistics::mean;
 use jiff::civil::Date;
 use reference::GrowingReference;
 use serde::Serialize;
-use signs::{WatchedColumns, signs};
+use signs::{WatchedColumns, moved, signs};
 use std::fmt;
 
 pub use change::{ChangeEpisode, Course, DaysAway, SeenWith};
@@ -34,6 +34,8 @@ pub use signs::Sign;
 
 /// Evidence for usual days at which an episode is over (our choice).
 const OVER: f64 = 4.0;
+/// Least number of things that move together in an episode (our choice).
+const LEAST_SIGNS: usize = 2;
 /// Largest distance of a measure of a day that counts, in standard deviations (our choice): a single measure does not decide.
 const MOST_DISTANCE_SD: f64 = 3.5;
 /// Least likelihood ratio of a named condition, and largest distance of its evidence from the highest (our choice).
@@ -221,8 +223,10 @@ impl<'a> DayWatcher<'a> {
         true
     }
 
+    /// The pattern whose evidence reaches the threshold, if things moved together since then.
     fn reached(&self) -> Option<Leading> {
-        self.sums.leading().filter(|leading| leading.sum.value >= self.threshold)
+        let leading = self.sums.leading().filter(|leading| leading.sum.value >= self.threshold)?;
+        (moved(&self.distances[leading.sum.since..]) >= LEAST_SIGNS).then_some(leading)
     }
 }
 

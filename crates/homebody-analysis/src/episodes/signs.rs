@@ -47,13 +47,8 @@ pub(super) struct WatchedColumns<'a> {
 
 /// The signs in some days, the strongest first. Of measures of one thing the strongest stays.
 pub(super) fn signs(watched: &WatchedColumns, during: Range<usize>) -> Vec<Sign> {
-    let mut signs: Vec<(f64, Sign)> = MEASURES
-        .iter()
-        .enumerate()
-        // Those are of many days in a row, so they lag behind the others.
-        .filter(|(_, measure)| measure.group != MeasureGroup::Rhythm)
-        .filter_map(|(number, measure)| sign(watched, during.clone(), number, measure))
-        .collect();
+    let mut signs: Vec<(f64, Sign)> =
+        of_single_days().filter_map(|number| sign(watched, during.clone(), number)).collect();
     signs.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut kept: Vec<Sign> = Vec::new();
     for (_, sign) in signs {
@@ -63,6 +58,11 @@ pub(super) fn signs(watched: &WatchedColumns, during: Range<usize>) -> Vec<Sign>
         }
     }
     kept
+}
+
+/// The numbers of measures of single days. The others are of many days in a row, and lag behind.
+fn of_single_days() -> impl Iterator<Item = usize> {
+    (0..MEASURES.len()).filter(|number| MEASURES[*number].group != MeasureGroup::Rhythm)
 }
 
 /// Measures with one subject say the same in other words.
@@ -76,18 +76,27 @@ fn subject(name: &'static str) -> &'static str {
     }
 }
 
-fn sign(
-    watched: &WatchedColumns,
-    during: Range<usize>,
-    number: usize,
-    measure: &'static DailyMeasure,
-) -> Option<(f64, Sign)> {
-    let known: Vec<(usize, f64)> = during.filter_map(|day| Some((day, watched.distances[day][number]?))).collect();
-    let shift_sd = mean(&known.iter().map(|(_, distance)| *distance).collect::<Vec<f64>>())?;
+/// The mean distance of a measure that moved, in standard deviations of a day, and in standard errors.
+fn shift(days: &[Distances], number: usize) -> Option<(f64, f64)> {
+    let known: Vec<f64> = days.iter().filter_map(|day| day[number]).collect();
+    let shift_sd = mean(&known)?;
     let sure = shift_sd.abs() * (known.len() as f64).sqrt();
-    if shift_sd.abs() < LEAST_SHIFT_SD || sure < LEAST_SURE_SE {
-        return None;
-    }
+    (shift_sd.abs() >= LEAST_SHIFT_SD && sure >= LEAST_SURE_SE).then_some((shift_sd, sure))
+}
+
+/// The number of things that moved in some days. Measures of one thing count once.
+pub(super) fn moved(days: &[Distances]) -> usize {
+    let moved = of_single_days().filter(|number| shift(days, *number).is_some());
+    let mut subjects: Vec<&str> = moved.map(|number| subject(MEASURES[number].name)).collect();
+    subjects.sort_unstable();
+    subjects.dedup();
+    subjects.len()
+}
+
+fn sign(watched: &WatchedColumns, during: Range<usize>, number: usize) -> Option<(f64, Sign)> {
+    let measure: &'static DailyMeasure = &MEASURES[number];
+    let (shift_sd, sure) = shift(&watched.distances[during.clone()], number)?;
+    let known: Vec<(usize, f64)> = during.filter_map(|day| Some((day, watched.distances[day][number]?))).collect();
     let is_more = shift_sd > 0.0;
     let last = &known[known.len().saturating_sub(LAST_DAYS)..];
     let value = mean(&last.iter().filter_map(|(day, _)| watched.days[*day].values[number]).collect::<Vec<f64>>())?;

@@ -32,7 +32,7 @@ homebody_core::messages! {
     }
 }
 
-/// Report changes of a resident's days: what moved together, since when, and whether it lasts
+/// Report changes of daily life, with their beginning and end
 ///
 /// Homebody compares each day with a reference: the first four weeks that count, or four weeks from a day that --reference names.
 /// Measures that change together are the signs of one episode. It has a beginning, and an end once the days are as usual again.
