@@ -417,7 +417,7 @@ name: string, person: string,
  */
 day: string | null, headline: Headline, 
 /**
- * The days with which others are compared; null before the first day that counts.
+ * The reference days; null before the first day that counts.
  */
 reference: ReferenceDays | null, remarks: Array<string>, 
 /**
@@ -433,7 +433,7 @@ walks: PlaybackContent,
  */
 days: Array<CareDay>, 
 /**
- * Days on which nobody was at home for most of the day.
+ * Days on which the home was empty for most of the day.
  */
 absences: Array<DaysAway>, 
 /**
@@ -513,7 +513,7 @@ over: string | null, course: Course,
  */
 signs: Array<Sign>, 
 /**
- * Conditions that make such signs in simulated lives, the likeliest first.
+ * Conditions that make such signs in simulated people, the likeliest first.
  */
 seen_with: Array<SeenWith>, 
 /**

@@ -25,6 +25,7 @@ use reference::GrowingReference;
 use serde::Serialize;
 use signs::{WatchedColumns, moved, signs};
 use std::fmt;
+use std::ops::Range;
 
 pub use change::{ChangeEpisode, Course, DaysAway, SeenWith};
 pub use headline::{Headline, HeadlineState};
@@ -38,9 +39,9 @@ const OVER: f64 = 4.0;
 const LEAST_SIGNS: usize = 2;
 /// Largest distance of a measure of a day that counts, in standard deviations (our choice): a single measure does not decide.
 const MOST_DISTANCE_SD: f64 = 3.5;
-/// Least likelihood ratio of a named condition, and largest distance of its evidence from the highest (our choice).
+/// Least likelihood ratio of a named condition, and least share of its evidence in the highest (our choice).
 const LEAST_RATIO: f64 = 2.0;
-const NEAR_EVIDENCE: f64 = 1.0;
+const NEAR_SHARE: f64 = 0.8;
 /// Difference of the evidence of a day at which an episode grows or eases (our choice).
 const COURSE_EVIDENCE: f64 = 1.5;
 /// Number of days whose evidence gives the course (our choice).
@@ -113,8 +114,6 @@ struct FoundEpisode {
     /// The day after whose end it is known to be over.
     closed: Option<usize>,
     leading: Leading,
-    /// By condition, the evidence when it was found or became worse.
-    evidence: Vec<f64>,
     /// Evidence that the days are as usual again.
     against: Sum,
     /// The mean distances of the episode when it was found or became worse.
@@ -187,7 +186,6 @@ impl<'a> DayWatcher<'a> {
             over: None,
             closed: None,
             leading,
-            evidence: self.sums.by_condition(),
             against: Sum::default(),
             level: mean_distances(&self.distances[leading.sum.since..]),
         });
@@ -213,11 +211,10 @@ impl<'a> DayWatcher<'a> {
         }
         self.sums.add(today, &worse);
         let Some(leading) = self.reached() else { return false };
-        let evidence = self.sums.by_condition();
         if let Some(open) = self.episodes.last_mut() {
             open.worse.push(today);
             open.level = mean_distances(&self.distances[leading.sum.since..]);
-            (open.leading, open.evidence, open.against) = (leading, evidence, Sum::default());
+            (open.leading, open.against) = (leading, Sum::default());
         }
         self.sums.clear();
         true
@@ -261,7 +258,7 @@ pub fn named_conditions(measures: &Measures, options: WatchOptions) -> Vec<(usiz
     let watcher = watched(measures, options);
     let of = |episode: &FoundEpisode| {
         let day = episode.worse.last().copied().unwrap_or(episode.found);
-        (day, watcher.near(episode).map(|(pattern, _)| pattern.name.clone()).collect())
+        (day, watcher.near(episode.since..day + 1).map(|(pattern, _)| pattern.name.clone()).collect())
     };
     watcher.episodes.iter().map(of).collect()
 }
@@ -293,18 +290,21 @@ impl DayWatcher<'_> {
         let date = |number: usize| days[number].date;
         let until = found.over.unwrap_or(days.len());
         let watched = WatchedColumns { days, distances: &self.distances, usual: &self.usual };
-        // An episode that is over so soon has the signs of the days until it was found.
-        let signs = signs(&watched, found.since..until.max(found.found + 1));
+        let mut kept = signs(&watched, found.since..until);
+        // In a long episode that eases, the days until it was found show it best.
+        if kept.is_empty() {
+            kept = signs(&watched, found.since..found.found + 1);
+        }
         let since = date(found.since);
-        let words = wording::episode_words(since, found.over.map(date), &signs);
+        let words = wording::episode_words(since, found.over.map(date), &kept);
         ChangeEpisode {
             since,
             found: date(found.found),
             worse: found.worse.iter().copied().map(date).collect(),
             over: found.over.map(date),
             course: self.course(found, until),
-            seen_with: self.seen_with(found),
-            signs,
+            seen_with: self.seen_with(found.since..until.max(found.found + 1)),
+            signs: kept,
             words,
         }
     }
@@ -355,17 +355,18 @@ impl DayWatcher<'_> {
         }
     }
 
-    /// The conditions with about as much evidence as the leading one.
-    fn near(&self, found: &FoundEpisode) -> impl Iterator<Item = (&ConditionPattern, f64)> {
-        let most = found.evidence.iter().copied().fold(0.0, f64::max);
-        let all = self.patterns.conditions.iter().zip(found.evidence.clone());
-        all.filter(move |(_, evidence)| most - evidence <= NEAR_EVIDENCE)
+    /// The conditions with about as much evidence as the one with the most, in some days.
+    fn near(&self, days: Range<usize>) -> impl Iterator<Item = (&ConditionPattern, f64)> {
+        let evidence = self.patterns.mean_evidence(&self.distances[days]);
+        let most = evidence.iter().copied().fold(0.0, f64::max);
+        let all = self.patterns.conditions.iter().zip(evidence);
+        all.filter(move |(_, evidence)| *evidence > 0.0 && *evidence >= NEAR_SHARE * most)
     }
 
     /// The conditions that such signs are seen with, the one with the most evidence first.
-    fn seen_with(&self, found: &FoundEpisode) -> Vec<SeenWith> {
+    fn seen_with(&self, days: Range<usize>) -> Vec<SeenWith> {
         let mut near: Vec<(&ConditionPattern, f64)> =
-            self.near(found).filter(|(pattern, _)| pattern.likelihood_ratio >= LEAST_RATIO).collect();
+            self.near(days).filter(|(pattern, _)| pattern.likelihood_ratio >= LEAST_RATIO).collect();
         near.sort_by(|a, b| b.1.total_cmp(&a.1));
         let seen = |(pattern, _): (&ConditionPattern, f64)| SeenWith {
             condition: pattern.name.clone(),

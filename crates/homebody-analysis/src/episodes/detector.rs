@@ -3,7 +3,7 @@
 //! A pattern says by how many standard deviations each measure of a day shifts, and how much each standard deviation weighs. The sum
 //! of a pattern grows on days that fit it better than usual days or days with a harmless change, and is never below 0.
 
-use super::patterns::{Distances, Patterns};
+use super::patterns::{ConditionPattern, Distances, Patterns};
 use homebody_core::statistics::mean;
 
 /// Shares of a pattern's shifts that have a sum each (our choice): a change that begins, a mild one and a moderate one.
@@ -60,11 +60,6 @@ impl Sums {
         all.max_by(|a, b| a.sum.value.total_cmp(&b.sum.value))
     }
 
-    /// The most evidence for each condition, whatever its share.
-    pub fn by_condition(&self) -> Vec<f64> {
-        self.0.iter().map(|sums| sums.iter().map(|sum| sum.value).fold(0.0, f64::max)).collect()
-    }
-
     pub fn clear(&mut self) {
         self.0.fill(Default::default());
     }
@@ -78,6 +73,16 @@ impl Patterns {
         (self.conditions.iter())
             .map(|pattern| SHARES.map(|share| limited(pattern.evidence(distances, share))))
             .collect()
+    }
+
+    /// By condition, the mean evidence of some days at the share that fits best.
+    pub(super) fn mean_evidence(&self, days: &[Distances]) -> Vec<f64> {
+        let known = || days.iter().filter(|day| day.iter().any(Option::is_some));
+        let of = |pattern: &ConditionPattern, share: f64| {
+            mean(&known().map(|day| pattern.evidence(day, share)).collect::<Vec<f64>>()).unwrap_or(0.0)
+        };
+        let best = |pattern: &ConditionPattern| SHARES.map(|share| of(pattern, share)).into_iter().fold(0.0, f64::max);
+        self.conditions.iter().map(best).collect()
     }
 }
 

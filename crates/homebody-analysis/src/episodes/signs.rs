@@ -102,8 +102,9 @@ fn sign(watched: &WatchedColumns, during: Range<usize>, number: usize) -> Option
     let value = mean(&last.iter().filter_map(|(day, _)| watched.days[*day].values[number]).collect::<Vec<f64>>())?;
     let usual_on = |day: &usize| Some(watched.usual[*day][number]?.on(watched.days[*day].date));
     let usual = mean(&last.iter().filter_map(|(day, _)| usual_on(day)).collect::<Vec<f64>>())?;
+    let now = mean(&last.iter().map(|(_, distance)| *distance).collect::<Vec<f64>>())?;
     // It moved and has come back.
-    if (value > usual) != is_more {
+    if (value > usual) != is_more || now.abs() < LEAST_SHIFT_SD / 2.0 {
         return None;
     }
     let shows = |(_, distance): &&(usize, f64)| if is_more { *distance >= SHOWS_SD } else { *distance <= -SHOWS_SD };

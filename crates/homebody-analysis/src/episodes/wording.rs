@@ -30,6 +30,12 @@ pub(super) fn episode_words(since: Date, over: Option<Date>, signs: &[Sign]) -> 
 const MINUTES_AN_HOUR: f64 = 60.0;
 
 impl DailyMeasure {
+    /// ` a day` or ` a night`, unless the words say when.
+    fn per_occasion(&self, words: &str) -> String {
+        let is_said = words.ends_with("by day") || words.ends_with("at night");
+        if is_said { String::new() } else { format!(" a {}", self.occasion) }
+    }
+
     /// A difference from the usual value in words, and both values.
     pub(super) fn sign_words(&self, value: f64, usual: f64) -> (String, String) {
         let by = value - usual;
@@ -40,7 +46,9 @@ impl DailyMeasure {
                 format!("{} {} {direction}", self.noun(), amount(by))
             }
             ValueForm::Hours => format!("{} {changed}", amount(by)),
-            ValueForm::Times if usual.abs() < MOST_COUNTED => format!("{:.1} {changed} a {}", by.abs(), self.occasion),
+            ValueForm::Times if usual.abs() < MOST_COUNTED => {
+                format!("{:.1} {changed}{}", by.abs(), self.per_occasion(changed))
+            }
             _ if usual > 0.0 => format!("{changed} by {:.0} %", (by / usual * 100.0).abs()),
             _ => changed.to_owned(),
         };
