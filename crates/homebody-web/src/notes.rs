@@ -205,7 +205,7 @@ mod tests {
         notes.note("a-1", NoteChange { before: None, note: first.clone() }).unwrap();
         let unseen = NoteChange { before: None, note: of("2009-03-02", Episode, true, "") };
         assert!(matches!(notes.note("a-1", unseen), Err(RequestError { status: StatusCode::CONFLICT, .. })));
-        assert_eq!(timeless(notes.all("a-1")), [first.clone()]);
+        assert_eq!(timeless(notes.all("a-1")), std::slice::from_ref(&first));
         // The same note again changes nothing.
         assert_eq!(timeless(notes.note("a-1", NoteChange { before: None, note: first.clone() })), [first]);
     }

@@ -83,11 +83,10 @@ fn crossings(scores: &[Option<f64>], threshold: f64) -> NewsDays {
     let mut last: Option<usize> = None;
     let mut news = Vec::new();
     for (day, score) in scores.iter().enumerate() {
-        if score.is_some_and(|score| score >= threshold) {
-            if last.is_none_or(|last| day - last >= QUIET_DAYS) {
-                news.push(day);
-                last = Some(day);
-            }
+        let is_new = last.is_none_or(|last| day - last >= QUIET_DAYS);
+        if is_new && score.is_some_and(|score| score >= threshold) {
+            news.push(day);
+            last = Some(day);
         }
     }
     news

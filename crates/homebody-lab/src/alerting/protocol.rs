@@ -168,3 +168,52 @@ fn rows(people: &[Judged], delays: &[(usize, Option<usize>)]) -> Vec<FoundRow> {
 
 /// The condition of rows about all conditions.
 pub const ALL: &str = "all";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_analysis::measures::{DayMeasures, MEASURES};
+    use jiff::civil::date;
+
+    const YEAR: u32 = 365;
+
+    /// The result of a method with news of each person at a distance from the onset, or from day 200 of a healthy person.
+    fn result(of: fn(&WatchedPerson, usize) -> NewsDays) -> MethodResult {
+        let day = DayMeasures { date: date(2024, 1, 1), is_whole: true, values: vec![None; MEASURES.len()] };
+        let measures = Measures { days: vec![day; YEAR as usize], ..Measures::default() };
+        let person = |number| Judged { person: WatchedPerson::draw(number, (YEAR, 1)), measures: measures.clone() };
+        let people: Vec<Judged> = (0..96).map(person).collect();
+        let onset = |person: &WatchedPerson| person.condition.as_ref().map_or(200, |condition| condition.onset);
+        let news = move |one: &Judged, _: f64| of(&one.person, onset(&one.person));
+        judge(&people, &JudgedMethod { name: "test", thresholds: vec![1.0], fitted: 1.0, news: Box::new(news) })
+    }
+
+    #[test]
+    fn news_before_the_onset_and_of_healthy_people_is_false() {
+        let early = result(|person, onset| if person.condition.is_some() { vec![onset - 1] } else { Vec::new() });
+        assert!(early.false_per_week > 0.0 && early.rows[0].within[2].1 == 0.0, "{early:?}");
+        let healthy = result(|person, onset| if person.condition.is_none() { vec![onset] } else { Vec::new() });
+        assert!(healthy.false_per_week > 0.0 && healthy.precision == 0.0, "{healthy:?}");
+        let first = result(|_, _| vec![FIRST - 1]);
+        assert_eq!(first.false_per_week, 0.0, "no reference lies before");
+    }
+
+    #[test]
+    fn people_are_found_on_the_day_of_the_first_true_news() {
+        let tenth =
+            result(|person, onset| if person.condition.is_some() { vec![onset + 10, onset + 30] } else { Vec::new() });
+        let shares: Vec<f64> = tenth.rows[1].within.iter().map(|(_, share, _)| *share).collect();
+        assert_eq!((shares, tenth.rows[1].days), (vec![0.0, 1.0, 1.0], Some([10.0; 3])));
+        assert_eq!((tenth.false_per_week, tenth.precision, tenth.area), (0.0, 1.0, 1.0));
+        assert_eq!(tenth.rows.len(), 3 + 8 * 3, "each condition in each severity");
+    }
+
+    #[test]
+    fn half_of_the_people_have_a_condition_and_one_home_has_two_residents() {
+        let people: Vec<WatchedPerson> = (0..160).map(|number| WatchedPerson::draw(number, (YEAR, 3))).collect();
+        let share = |holds: fn(&WatchedPerson) -> bool| people.iter().filter(|one| holds(one)).count() as f64 / 160.0;
+        assert_eq!(share(|one| one.condition.is_some()), 0.5);
+        assert_eq!((share(WatchedPerson::has_company), share(|one| one.has_faults)), (0.2, 0.5));
+        assert!(people.iter().all(|one| one.healthy_until(365) >= 60 && !one.events.is_empty()));
+    }
+}
