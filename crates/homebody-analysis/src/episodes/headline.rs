@@ -9,7 +9,7 @@ use homebody_core::problem::counted;
 use jiff::civil::Date;
 use serde::Serialize;
 
-/// Age in days at which an episode is no longer new (our choice).
+/// Age of an old episode, in days (our choice): younger ones need a look.
 const NEW_DAYS: i32 = 7;
 /// Days without a whole day after which nothing is known of the present (our choice).
 const OLD_DAYS: usize = 3;
