@@ -34,7 +34,7 @@ pub fn fit(people: &[Judged], fitted_by: String) -> Patterns {
     let pattern = |name: &str, shifts: Vec<f64>| with_weights(name, &shifts, &covariance);
     let conditions = CONDITIONS.map(|(name, _)| pattern(name, condition_shifts(&days, name))).into();
     let harmless = vec![
-        pattern("guest", event_shifts(&days, &|person, kind| kind == YearEventKind::Guest && !person.home.is_empty())),
+        pattern("guest", event_shifts(&days, &|_, kind| kind == YearEventKind::Guest)),
         pattern(
             "one-of-two-away",
             event_shifts(&days, &|person, kind| kind == YearEventKind::Away && person.has_company()),
