@@ -5,8 +5,7 @@ mod fit;
 pub mod people;
 pub mod protocol;
 
-use homebody_core::statistics;
-use homebody_placement::adequacy::{Adequacy, Z};
+use homebody_placement::adequacy::{Adequacy, Z, mean};
 
 pub use baselines::{fit as fit_baselines, methods};
 pub use fit::{BEARABLE_PER_WEEK, fit as fit_patterns};
@@ -14,7 +13,6 @@ pub use fit::{BEARABLE_PER_WEEK, fit as fit_patterns};
 /// Mean number of days by which another layout finds the same people later, with the interval of 95 %.
 pub fn later(than: &Adequacy, by: &Adequacy) -> (f64, [f64; 2]) {
     let apart: Vec<f64> = by.by_person.iter().zip(&than.by_person).map(|(by, than)| by - than).collect();
-    let mean = |of: &[f64]| statistics::mean(of).unwrap_or(0.0);
     let middle = mean(&apart);
     let squares: Vec<f64> = apart.iter().map(|apart| (apart - middle) * (apart - middle)).collect();
     let error = Z * (mean(&squares) / apart.len().max(1) as f64).sqrt();

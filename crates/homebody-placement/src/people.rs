@@ -27,7 +27,7 @@ pub const CONDITIONS: [(&str, usize); 8] = [
     ("recovery", 0),
     ("urinary-tract-infection", 4),
 ];
-const SEVERITIES: [&str; 3] = ["mild", "moderate", "severe"];
+pub const SEVERITIES: [&str; 3] = ["mild", "moderate", "severe"];
 
 homebody_core::messages! {
     /// Reasons why people cannot be simulated.
@@ -146,18 +146,31 @@ impl PersonRun<'_> {
 
 fn with(home: &LoadedScenario, person: Person, severity: &str) -> Result<LoadedScenario, PeopleError> {
     let Some(condition) = person.condition else { return Ok(home.clone()) };
-    let grows = if person.height > 0 { format!(", over {} days", person.height) } else { String::new() };
-    let sentence = format!("\nFrom day {}{grows}, she shows {severity} {condition}.\n", person.onset + 1);
-    let routine = home.scenario.residents.first().map(|resident| resident.file.driver.clone());
-    let edit = home.scenario.edit();
+    let sentence = condition_sentence("she", (severity, condition), (person.onset, person.height));
+    with_routine(&home.scenario, |routine| routine.push_str(&format!("\n{sentence}\n")))
+}
+
+/// The sentence that gives a resident a condition from a day on, counted from 0, which grows for some days.
+pub fn condition_sentence(
+    pronoun: &str,
+    (severity, name): (&str, &str),
+    (onset, grows_days): (usize, usize),
+) -> String {
+    let grows = if grows_days > 0 { format!(", over {grows_days} days") } else { String::new() };
+    format!("From day {}{grows}, {pronoun} shows {severity} {name}.", onset + 1)
+}
+
+/// A scenario with a changed routine of the first resident.
+pub fn with_routine(scenario: &Scenario, change: impl FnOnce(&mut String)) -> Result<LoadedScenario, PeopleError> {
+    let routine = scenario.residents.first().map(|resident| resident.file.driver.clone());
+    let edit = scenario.edit();
     let entry = edit.entry().to_owned();
     let mut texts = edit.into_texts();
-    match routine {
-        Some(DriverFile::Routine(name)) if texts.contains_key(&name) => {
-            texts.entry(name).or_default().push_str(&sentence);
-        }
-        _ => return Err(PeopleError::NoRoutine),
-    }
+    let text = match routine {
+        Some(DriverFile::Routine(name)) => texts.get_mut(&name),
+        _ => None,
+    };
+    change(text.ok_or(PeopleError::NoRoutine)?);
     let (scenario, household) = Household::load(&texts, &entry, &[])?;
     Ok(LoadedScenario { scenario, household })
 }

@@ -54,7 +54,7 @@ impl Headline {
             let state = if is_new { HeadlineState::LookToday } else { HeadlineState::Changed };
             return headline(state, open.words.clone());
         }
-        if let Some(away) = away.last().filter(|away| away.to >= days[days.len().saturating_sub(1)].date) {
+        if let Some(away) = away.last().filter(|away| away.to == today) {
             return headline(HeadlineState::NotKnown, format!("Away since {}", in_full(away.from)));
         }
         if days.len() - 1 - last >= OLD_DAYS {

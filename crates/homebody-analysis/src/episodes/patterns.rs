@@ -59,8 +59,9 @@ impl Patterns {
 }
 
 impl PatternMeasure {
-    pub fn new(measure: &str, shift_sd: f64, weight: f64) -> PatternMeasure {
-        PatternMeasure { measure: measure.to_owned(), shift_sd, weight, number: 0 }
+    /// `number` is that of the measure.
+    pub fn new(number: usize, shift_sd: f64, weight: f64) -> PatternMeasure {
+        PatternMeasure { measure: MEASURES[number].name.to_owned(), shift_sd, weight, number }
     }
 }
 

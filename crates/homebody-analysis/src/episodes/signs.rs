@@ -14,7 +14,7 @@ const LEAST_SURE_SE: f64 = 3.0;
 /// Smallest distance of a day that shows a sign, in standard deviations (our choice).
 const SHOWS_SD: f64 = 1.0;
 /// Number of the last days of an episode that give the value of a sign.
-pub const LAST_DAYS: usize = 7;
+const LAST_DAYS: usize = 7;
 /// Largest number of signs (our choice): people read no more.
 const MOST_SIGNS: usize = 8;
 

@@ -41,7 +41,6 @@ pub fn fit(people: &[Judged], fitted_by: String) -> Patterns {
         ),
     ];
     let mut patterns = Patterns { fitted_by, threshold: 0.0, conditions, harmless };
-    patterns = numbered(patterns);
     let is_bearable = |threshold: f64| {
         let options = WatchOptions { threshold: Some(threshold), patterns: Some(&patterns), ..WatchOptions::default() };
         rate(others.iter().map(|one| (*one, homebody_analysis::episodes::found_days(&one.measures, options))))
@@ -53,12 +52,6 @@ pub fn fit(people: &[Judged], fitted_by: String) -> Patterns {
     let ratios = likelihood_ratios(&others, &patterns);
     patterns.conditions.iter_mut().zip(ratios).for_each(|(pattern, ratio)| pattern.likelihood_ratio = ratio);
     patterns
-}
-
-/// The same with the numbers of the measures, as a file gives them.
-fn numbered(patterns: Patterns) -> Patterns {
-    let text = serde_json::to_string(&patterns).unwrap_or_default();
-    Patterns::read(&text).unwrap_or(patterns)
 }
 
 fn mean_of_days(days: &[Distances], during: Range<usize>, measure: usize) -> Option<f64> {
@@ -150,7 +143,7 @@ fn with_weights(name: &str, shifts: &[f64], covariance: &[Vec<f64>]) -> Conditio
     let measure = |(place, &measure): (usize, &usize)| {
         let (shift, weight) = (rounded(shifts[measure]), rounded(weights[place]));
         let is_kept = shift * weight > 0.0 && shift.abs() >= LEAST_SHIFT_SD;
-        is_kept.then(|| PatternMeasure::new(MEASURES[measure].name, shift, weight))
+        is_kept.then(|| PatternMeasure::new(measure, shift, weight))
     };
     let measures = used.iter().enumerate().filter_map(measure).collect();
     ConditionPattern { name: name.to_owned(), likelihood_ratio: 1.0, measures }

@@ -5,12 +5,11 @@
 
 use crate::simulated::every_fault;
 use homebody_analysis::measures::{DayMeasures, MEASURES, Measures};
-use homebody_core::problem::Problems;
 use homebody_core::random::Stream;
-use homebody_core::resident::DriverFile;
-use homebody_placement::people::{CONDITIONS, LoadedScenario, PeopleError};
+use homebody_placement::people::{
+    CONDITIONS, LoadedScenario, PeopleError, SEVERITIES, condition_sentence, with_routine,
+};
 use homebody_placement::simulated::SimulatedLog;
-use homebody_routine::household::Household;
 use homebody_simulation::template;
 use jiff::civil::Date;
 use serde::{Deserialize, Serialize};
@@ -20,8 +19,6 @@ use std::collections::BTreeMap;
 const HOMES: [(&str, &str); 5] =
     [("older-adult", "she"), ("tigerplace", "she"), (WITH_TWO, "he"), ("house-two-floors", "she"), ("studio", "he")];
 const WITH_TWO: &str = "couple-with-cat";
-
-const SEVERITIES: [&str; 3] = ["mild", "moderate", "severe"];
 
 /// Days before the first, and after the last possible day on which a condition begins (our choice): at first no person has a reference, and
 /// at the end no person can be found.
@@ -133,7 +130,7 @@ impl WatchedPerson {
         Ok(SimulatedLog::simulate(&scenario, &household, self.seed, self.days)?.measures()?)
     }
 
-    pub fn scenario(&self) -> Result<LoadedScenario, Problems> {
+    pub fn scenario(&self) -> Result<LoadedScenario, PeopleError> {
         let template = template(self.home).expect("the homes are templates");
         let pronoun = self.pronoun;
         let her = if pronoun == "she" { "her" } else { "his" };
@@ -142,24 +139,14 @@ impl WatchedPerson {
             YearEventKind::Guest => format!("From day {} {her} sister stays for {days} days.", from + 1),
         };
         let mut sentences: Vec<String> = self.events.iter().map(event).collect();
-        sentences.extend(self.condition.as_ref().map(|condition| {
-            let DrawnCondition { name, severity, onset, grows_days } = condition;
-            let grows = if *grows_days > 0 { format!(", over {grows_days} days") } else { String::new() };
-            format!("From day {}{grows}, {pronoun} shows {severity} {name}.", onset + 1)
+        sentences.extend(self.condition.as_ref().map(|DrawnCondition { name, severity, onset, grows_days }| {
+            condition_sentence(pronoun, (severity, name), (*onset, *grows_days))
         }));
-        let scenario = template.scenario();
-        let routine = scenario.residents.first().map(|resident| resident.file.driver.clone());
-        let edit = scenario.edit();
-        let entry = edit.entry().to_owned();
-        let mut texts = edit.into_texts();
-        if let Some(DriverFile::Routine(name)) = routine {
-            let text = texts.entry(name).or_default();
+        with_routine(template.scenario(), |routine| {
             // A condition of the template itself would make everybody in it ill.
-            *text = text.lines().filter(|line| !line.contains(" shows ")).flat_map(|line| [line, "\n"]).collect();
-            sentences.iter().for_each(|sentence| *text += &format!("\n{sentence}\n"));
-        }
-        let (scenario, household) = Household::load(&texts, &entry, &[])?;
-        Ok(LoadedScenario { scenario, household })
+            *routine = routine.lines().filter(|line| !line.contains(" shows ")).flat_map(|line| [line, "\n"]).collect();
+            sentences.iter().for_each(|sentence| *routine += &format!("\n{sentence}\n"));
+        })
     }
 }
 
